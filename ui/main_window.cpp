@@ -138,7 +138,7 @@ void MainWindow::connectJobs() {
           [this](const SessionChange& change) { m_lastChange = change.place; });
   connect(&m_jobs, &SessionJobs::begun, m_jobStatus, &JobStatus::watch);
   connect(&m_jobs, &SessionJobs::searchStopped, this,
-          [this] { say(tr("Stopped: misread readings were not looked for.")); });
+          [this] { say(tr("The search for misread readings was stopped.")); });
   connect(m_jobStatus, &JobStatus::stopWanted, &m_jobs, &SessionJobs::stop);
   connect(&m_jobs, &SessionJobs::evaluated, m_entry, &EntryGuide::setEvaluation);
   connect(&m_jobs, &SessionJobs::headlineChanged, m_entry, &EntryGuide::setHeadline);

@@ -229,7 +229,7 @@ void WindowActions::addSuspectActions(QMenu& menu) {
   m_tableActions << next << use;
   ChangeReasonBar* reason = m_window.entries().changeReason();
   QAction* state =
-      addTo(menu, nullptr, tr("State W&hy It Was Changed"), QKeySequence(tr("Ctrl+R")), this, [this, reason] {
+      addTo(menu, nullptr, tr("State Reason for C&hange"), QKeySequence(tr("Ctrl+R")), this, [this, reason] {
         m_window.commitPending();
         reason->start();
       });
@@ -415,7 +415,7 @@ void WindowActions::addEnlargeAction(QMenu& menu) {
   button->setAutoRaise(true);
   button->setArrowType(Qt::UpArrow);
   button->setCheckable(true);
-  button->setToolTip(tr("Enlarge over the picture, or back (Ctrl+0)"));
+  button->setToolTip(tr("Enlarge the lower pages over the picture, or reduce them again (Ctrl+0)"));
   button->setAccessibleName(tr("Enlarge lower pages"));
   m_window.pageTabs().last()->setCornerWidget(button);
   connect(button, &QToolButton::toggled, m_enlarge, &QAction::setChecked);

@@ -11766,7 +11766,7 @@ a clause as a sentence</extracomment>
         <translation>保存本安装的检查</translation>
     </message>
     <message>
-        <source>The printer “%1” cannot be printed on: choose another, or save a PDF.</source>
+        <source>Alidade cannot print on “%1”: choose another printer, or save a PDF.</source>
         <translation>打印机“%1”无法打印：请另选一台，或保存 PDF。</translation>
     </message>
 </context>
@@ -12071,12 +12071,12 @@ a clause as a sentence</extracomment>
         <translation>已知来源</translation>
     </message>
     <message>
-        <source>Number of an effect of the catalogue</source>
-        <translation>目录中某效应的一个量</translation>
+        <source>Catalogued effect, or one of its quantities</source>
+        <translation>目录中的效应，或其某个量</translation>
     </message>
     <message>
-        <source>Where the session keeps its known size</source>
-        <translation>测量记录在何处保存其已知值</translation>
+        <source>Device or instrument to which the known size belongs</source>
+        <translation>已知值归属于设备还是仪器</translation>
     </message>
     <message>
         <source>Plausible size (1σ), used if no size is known</source>
@@ -12087,12 +12087,12 @@ a clause as a sentence</extracomment>
         <translation>已知的值，单位与默认值相同；空：0</translation>
     </message>
     <message>
-        <source>Its standard uncertainty, in the unit of the default; empty: the default</source>
-        <translation>其标准不确定度，单位与默认值相同；空：默认值</translation>
+        <source>Standard uncertainty of the known size, in the unit of the default; empty: the default</source>
+        <translation>已知值的标准不确定度，单位与默认值相同；空：默认值</translation>
     </message>
     <message>
-        <source>Certificate or check: the budget names it</source>
-        <translation>证书或检查：不确定度预算中会列出</translation>
+        <source>Certificate or check that gives the known size; named in the budget</source>
+        <translation>给出已知值的证书或检查；不确定度预算中会列出</translation>
     </message>
     <message>
         <source>default</source>
@@ -12103,8 +12103,8 @@ a clause as a sentence</extracomment>
         <translation>请输入已知值的标准不确定度；在此之前采用默认值。</translation>
     </message>
     <message>
-        <source>The session has several known sizes for this number: they are combined by their weights.</source>
-        <translation>测量记录中对该量的已知值不止一处：全部加权合并。</translation>
+        <source>The session has several known sizes for this quantity: their mean, weighted by 1/u², is used.</source>
+        <translation>测量记录中对该量的已知值不止一处：采用以 1/u² 加权的平均值。</translation>
     </message>
     <message>
         <source>%1. Its known size belongs to the %2.</source>
@@ -12119,7 +12119,7 @@ a clause as a sentence</extracomment>
     <name>alidade::ui::KnownSizesPanel</name>
     <message>
         <source>A size from a certificate or a check replaces the default in the uncertainty of Δd, measured, and in the search for causes.</source>
-        <translation>证书或检查给出的量值取代默认值，用于实测 Δd 的不确定度和原因的寻找。</translation>
+        <translation>证书或检查给出的量值取代默认值，用于实测 Δd 的不确定度和原因查找。</translation>
     </message>
     <message>
         <source>Take from Instrument Record…</source>
@@ -12134,8 +12134,8 @@ a clause as a sentence</extracomment>
         <translation>另存为仪器档案…</translation>
     </message>
     <message>
-        <source>The session&apos;s instrument data as a file, for the next sessions</source>
-        <translation>将本测量记录关于其仪器的内容存为文件，供以后的测量记录使用</translation>
+        <source>Saves the session&apos;s instrument data as a file for later sessions</source>
+        <translation>将本测量记录的仪器数据存为文件，供以后的测量记录使用</translation>
     </message>
 </context>
 <context>
@@ -12262,8 +12262,8 @@ a clause as a sentence</extracomment>
         <translation>出了问题</translation>
     </message>
     <message>
-        <source>Stopped: misread readings were not looked for.</source>
-        <translation>已停止：未查找误读。</translation>
+        <source>The search for misread readings was stopped.</source>
+        <translation>已停止查找误读。</translation>
     </message>
     <message>
         <source>Forms of the session</source>
@@ -12309,7 +12309,7 @@ a clause as a sentence</extracomment>
         <translation>方案</translation>
     </message>
     <message>
-        <source>Sightings there</source>
+        <source>Sightings taken</source>
         <translation>已有的照准</translation>
     </message>
     <message>
@@ -12349,7 +12349,7 @@ a clause as a sentence</extracomment>
         <translation>状态</translation>
     </message>
     <message>
-        <source>Whether it is taken</source>
+        <source>Whether the sighting has been taken</source>
         <translation>是否已测</translation>
     </message>
     <message>
@@ -12377,8 +12377,8 @@ a clause as a sentence</extracomment>
         <translation>说明</translation>
     </message>
     <message>
-        <source>Why it must be taken again, and what is out of order</source>
-        <translation>为何应重测，以及何者未按顺序</translation>
+        <source>Why the sighting must be taken again, or whether it was taken out of order</source>
+        <translation>为何应重测，或是否未按顺序测</translation>
     </message>
     <message>
         <source>take again</source>
@@ -12389,8 +12389,8 @@ a clause as a sentence</extracomment>
         <translation>未按顺序</translation>
     </message>
     <message>
-        <source>A protocol shows the next sighting and its expected reading, what is left, what to repeat, and when the readings are enough.</source>
-        <translation>方案给出下一次照准及其预期读数、还剩什么、什么应重测，以及何时足够。</translation>
+        <source>A protocol shows the next sighting and its expected reading, which sightings remain, which to repeat, and when the readings suffice.</source>
+        <translation>方案给出下一次照准及其预期读数、剩余的照准、应重测的照准，以及读数何时足够。</translation>
     </message>
     <message>
         <source>sighting %1 of %2</source>
@@ -12417,12 +12417,12 @@ a clause as a sentence</extracomment>
         <translation>取自现有各行</translation>
     </message>
     <message>
-        <source>Rows and %1</source>
-        <translation>现有各行加%1</translation>
+        <source>From the Rows and %1</source>
+        <translation>取自现有各行加%1</translation>
     </message>
     <message>
-        <source>Rows and the Advice</source>
-        <translation>现有各行加建议的内容</translation>
+        <source>From the Rows and the Advice</source>
+        <translation>取自现有各行加建议的读数</translation>
     </message>
     <message>
         <source>Edit…</source>
@@ -12445,20 +12445,20 @@ a clause as a sentence</extracomment>
         <translation>下一步：信息最多者</translation>
     </message>
     <message>
-        <source>The next sighting is the one with the most information per minute, not the first one left</source>
+        <source>The next sighting is the one with the most information per minute, not the first remaining one</source>
         <translation>下一次照准取单位时间信息最多者，而不是剩余的第一个</translation>
     </message>
     <message>
-        <source>%1 taken, at most %2</source>
-        <translation>已照准 %1 个，至多 %2 个</translation>
+        <source>%1 of at most %2 taken</source>
+        <translation>已照准 %1 次，至多 %2 次</translation>
     </message>
     <message>
         <source>Protocol: %1</source>
         <translation>方案：%1</translation>
     </message>
     <message>
-        <source>The sightings that reach a U of Δd are listed from the first reading on, up to %1 rows.</source>
-        <translation>从第一个读数起，列出达到所需 Δd 的 U 的照准，最多 %1 行。</translation>
+        <source>Sightings that reach the wanted U of Δd are listed here while the session has 1 to %1 rows.</source>
+        <translation>测量记录有 1 至 %1 行时，此处列出达到所需 Δd 的 U 的照准。</translation>
     </message>
     <message>
         <source> mm</source>
@@ -12469,7 +12469,7 @@ a clause as a sentence</extracomment>
         <translation>无</translation>
     </message>
     <message>
-        <source>Lists the sightings that reach this U of Δd in the fewest minutes. With 0 it is a third of the tolerance</source>
+        <source>Lists the sightings that reach this U of Δd in the fewest minutes. Type 0 for a third of the tolerance</source>
         <translation>列出以最少分钟使 Δd 的 U 降到此值的照准。填 0 时取允差的三分之一</translation>
     </message>
     <message>
@@ -12488,7 +12488,7 @@ a clause as a sentence</extracomment>
         <translation>效应的曲线</translation>
     </message>
     <message>
-        <source>A curve appears once the formula is sound.</source>
+        <source>The curve appears once the formula is correct.</source>
         <translation>公式正确后显示曲线。</translation>
     </message>
     <message>
@@ -12503,7 +12503,7 @@ a clause as a sentence</extracomment>
 <context>
     <name>alidade::ui::OwnEffectDialog</name>
     <message>
-        <source>The other &amp;sign in face 2</source>
+        <source>Opposite &amp;sign in face 2</source>
         <translation>盘右符号相反(&amp;S)</translation>
     </message>
     <message>
@@ -12515,7 +12515,7 @@ a clause as a sentence</extracomment>
         <translation>公式</translation>
     </message>
     <message>
-        <source>no owner: of every session</source>
+        <source>no owner: for every session</source>
         <translation>无所属：适用于每份测量记录</translation>
     </message>
     <message>
@@ -12556,9 +12556,9 @@ a clause as a sentence</extracomment>
         <translation>%1 (%2)</translation>
     </message>
     <message>
-        <source>%1 shows by %2 σ per %3, a plausible size by %4 σ.</source>
+        <source>Trace of %1: %2 σ per %3, %4 σ at the plausible size.</source>
         <extracomment>%1: an amplitude; %3: a unit</extracomment>
-        <translation>%1 每 %3 显示 %2 σ，合理大小显示 %4 σ。</translation>
+        <translation>%1 的痕迹：每 %3 为 %2 σ，合理大小时为 %4 σ。</translation>
     </message>
     <message>
         <source>Save Effect</source>
@@ -12609,7 +12609,7 @@ a clause as a sentence</extracomment>
         <translation>报告的页面设置</translation>
     </message>
     <message>
-        <source>The report is printed upright; wide margins print it smaller.</source>
+        <source>The report is printed in portrait format; wide margins make the print smaller.</source>
         <translation>报告按纵向打印；页边距大则印得较小。</translation>
     </message>
 </context>
@@ -12657,7 +12657,7 @@ a clause as a sentence</extracomment>
         <translation>轴位 %1</translation>
     </message>
     <message>
-        <source>To its readings with Alt+%1</source>
+        <source>Alt+%1 goes to its readings</source>
         <translation>按 Alt+%1 转到其读数</translation>
     </message>
 </context>
@@ -12752,7 +12752,7 @@ a clause as a sentence</extracomment>
         <translation>语言(&amp;A)</translation>
     </message>
     <message>
-        <source>The report is printed upright; wide margins print it smaller.</source>
+        <source>The report is printed in portrait format; wide margins make the print smaller.</source>
         <translation>报告按纵向打印；页边距大则印得较小。</translation>
     </message>
     <message>
@@ -12930,8 +12930,8 @@ a clause as a sentence</extracomment>
         <translation>请输入各位置的角度，以空格分隔：10 20 30.5 40</translation>
     </message>
     <message>
-        <source>%1 sightings are more than a protocol holds.</source>
-        <translation>%1 次照准超出了一个方案的容量。</translation>
+        <source>%1 sightings are too many for a protocol.</source>
+        <translation>%1 次照准超出了一个方案允许的数量。</translation>
     </message>
     <message>
         <source>%1 sightings</source>
@@ -12969,10 +12969,10 @@ a clause as a sentence</extracomment>
         <translation>按方案测量</translation>
     </message>
     <message>
-        <source>“%1” cannot be followed.
+        <source>The protocol “%1” cannot be followed.
 
 %2</source>
-        <translation>无法按“%1”测量。
+        <translation>无法按方案“%1”测量。
 
 %2</translation>
     </message>
@@ -13000,8 +13000,8 @@ a clause as a sentence</extracomment>
 <context>
     <name>alidade::ui::ReadingFlow</name>
     <message>
-        <source>A reading was rejected as you wished: %1 and %2, %3.</source>
-        <translation>已按您的选择不采用一个读数：%1 和 %2，%3。</translation>
+        <source>The reading was rejected: %1 and %2, %3.</source>
+        <translation>已不采用该读数：%1 和 %2，%3。</translation>
     </message>
 </context>
 <context>
@@ -13065,8 +13065,8 @@ a clause as a sentence</extracomment>
         <translation>录入的内容：%1</translation>
     </message>
     <message>
-        <source>No other reading checks this one: its residual says nothing about it</source>
-        <translation>没有其他读数检核此读数：其残差说明不了它</translation>
+        <source>No other reading checks this one: its residual cannot show an error</source>
+        <translation>没有其他读数检核此读数：其残差不能反映误差</translation>
     </message>
     <message>
         <source>Standardised residual w = v/(s0 σ √r): %1</source>
@@ -13214,7 +13214,7 @@ a clause as a sentence</extracomment>
     <name>alidade::ui::RecoveryDialog</name>
     <message>
         <source>Unsaved changes were kept</source>
-        <translation>保留有未保存的更改</translation>
+        <translation>已保留未保存的更改</translation>
     </message>
     <message>
         <source>Alidade ended without saving. Recover puts the changes back into the window, unsaved; the file stays as it is until you save.</source>
@@ -13249,8 +13249,8 @@ a clause as a sentence</extracomment>
         <translation>丢弃未保存的更改</translation>
     </message>
     <message>
-        <source>The kept changes of “%1” cannot be brought back.</source>
-        <translation>“%1”保留的更改将无法恢复。</translation>
+        <source>Once discarded, the changes of “%1” cannot be recovered.</source>
+        <translation>“%1”的更改丢弃后将无法恢复。</translation>
     </message>
 </context>
 <context>
@@ -13371,15 +13371,15 @@ a clause as a sentence</extracomment>
         <translation>多余观测分量</translation>
     </message>
     <message>
-        <source>Share of an error that shows in the reading&apos;s own residual, 0 to 1; 0: nothing checks it</source>
-        <translation>误差显示在该读数自身残差中的份额，0 到 1；0：没有任何检核</translation>
+        <source>Share of an error that shows in the reading&apos;s own residual, 0 to 1; 0: no other reading checks it</source>
+        <translation>误差显示在该读数自身残差中的份额，0 到 1；0：没有其他读数检核</translation>
     </message>
     <message>
         <source>Detectable ″</source>
         <translation>可检测 ″</translation>
     </message>
     <message>
-        <source>Minimal detectable bias: the smallest error of this reading that the search for misread readings finds with a probability of 80 %; the risk of naming a correct reading anywhere in the session is 1 %; noise: s0 σ</source>
+        <source>Minimal detectable bias: the smallest error of this reading that the search for misread readings finds with a probability of 80 %; the risk of naming a correct reading anywhere in the session is 1 %; assumed noise: s0 σ</source>
         <translation>最小可检测偏差：查找误读时能以 80 % 的概率发现的该读数的最小误差；误指测量记录中任一正确读数的风险为 1 %；噪声取 s0 σ</translation>
     </message>
     <message>
@@ -13391,8 +13391,8 @@ a clause as a sentence</extracomment>
         <translation>Δd 的改变 mm</translation>
     </message>
     <message>
-        <source>Change of Δd by an undetected error of that size; for quantities entered once, by an error of one unit</source>
-        <translation>该大小的误差未被发现时引起的 Δd 的改变；对只录入一次的量，则由一个单位的误差引起</translation>
+        <source>Change of Δd by an undetected error of the size in “Detectable”; for quantities entered once, by an error of one unit</source>
+        <translation>“可检测”一列大小的误差未被发现时引起的 Δd 的改变；对只录入一次的量，则为一个单位的误差引起的改变</translation>
     </message>
 </context>
 <context>
@@ -13402,40 +13402,40 @@ a clause as a sentence</extracomment>
         <translation>突跳发生在瞄准零位与其后第一个位置之间，或者是该零位被误读；这些读数不能说明是在哪个轴位。突跳不能加入模型：请重新照准两个零位并重新读取各轴位。</translation>
     </message>
     <message>
-        <source>The jump happened before %1. A jump cannot be added to the model: check the stand, sight the pointing zero again and repeat this position.</source>
-        <translation>突跳发生在 %1 之前。突跳不能加入模型：请检查支架，重新照准瞄准零位并再次读取该轴位。</translation>
+        <source>The jump happened before %1. A jump cannot be added to the model: check the tripod or pillar, sight the pointing zero again and repeat this position.</source>
+        <translation>突跳发生在 %1 之前。突跳不能加入模型：请检查三脚架或观测墩，重新照准瞄准零位并再次读取该轴位。</translation>
     </message>
     <message>
         <source> Or leave out the rows before the jump, if the pointing zero of the next position was not sighted after the jump.</source>
         <translation>如果下一轴位的瞄准零位不是在突跳之后照准的，也可去掉突跳之前的行。</translation>
     </message>
     <message>
-        <source> Or leave out the rows from there on.</source>
-        <translation>也可去掉从该处起的行。</translation>
+        <source> Or leave out the rows after the jump.</source>
+        <translation>也可去掉突跳之后的行。</translation>
     </message>
     <message>
-        <source> Or leave out the rows from there on, if that zero was sighted after the jump.</source>
-        <translation>如果该零位是在突跳之后照准的，也可去掉从该处起的行。</translation>
+        <source> Or leave out the rows after the jump, if that zero was sighted after the jump.</source>
+        <translation>如果该零位是在突跳之后照准的，也可去掉突跳之后的行。</translation>
     </message>
     <message>
-        <source> Or leave out the rows from there on, if the pointing zero of the next position was sighted after the jump.</source>
-        <translation>如果下一轴位的瞄准零位是在突跳之后照准的，也可去掉从该处起的行。</translation>
+        <source> Or leave out the rows after the jump, if the pointing zero of the next position was sighted after the jump.</source>
+        <translation>如果下一轴位的瞄准零位是在突跳之后照准的，也可去掉突跳之后的行。</translation>
     </message>
     <message>
-        <source>Take exact vertical angles</source>
-        <translation>采用精确竖直角</translation>
+        <source>Set the relation to exact</source>
+        <translation>将关系式设为精确</translation>
     </message>
     <message>
-        <source>Take planar vertical angles</source>
-        <translation>采用平面竖直角</translation>
+        <source>Set the relation to planar</source>
+        <translation>将关系式设为平面</translation>
     </message>
     <message>
-        <source>Sets the relation of the vertical angle in the form of the measurement: no effect has to be estimated then</source>
-        <translation>在测量表单中设置竖直角的关系式：这样就不必估计效应</translation>
+        <source>Sets “Relation” (vertical angle) in the Measurement form; this effect then need not be estimated</source>
+        <translation>在测量表单中设置竖直角的“关系式”；此效应便不必再估计</translation>
     </message>
     <message>
-        <source>The cause may also be %1, which would move Δd: read the position again before a row is left out.</source>
-        <translation>原因也可能是%1，它会使 Δd 改变：去掉任何行之前请再次读取该轴位。</translation>
+        <source>The cause may also be %1, which would move Δd: read the position again before you exclude a row.</source>
+        <translation>原因也可能是%1，它会使 Δd 改变：排除任何行之前请再次读取该轴位。</translation>
     </message>
     <message>
         <source> or </source>
@@ -13455,16 +13455,16 @@ a clause as a sentence</extracomment>
         <translation>排除该行</translation>
     </message>
     <message>
-        <source>Exclude the rows before</source>
-        <translation>排除之前的行</translation>
+        <source>Exclude rows before the jump</source>
+        <translation>排除突跳之前的行</translation>
     </message>
     <message>
-        <source>Exclude the rows from there on</source>
-        <translation>排除从该处起的行</translation>
+        <source>Exclude rows after the jump</source>
+        <translation>排除突跳之后的行</translation>
     </message>
     <message>
-        <source>Nothing to add to the model: U already includes the scatter of the readings. If the instrument and the place are no better than this, state the larger σ.</source>
-        <translation>没有可加入模型的内容：U 已包含读数的离散。如果仪器和场地不过如此，请给定更大的 σ。</translation>
+        <source>Nothing to add to the model: U already includes the scatter of the readings. If such scatter is usual for this instrument and site, state the larger σ.</source>
+        <translation>没有可加入模型的内容：U 已包含读数的离散。如果对该仪器和场地而言这样的离散属于正常，请给定更大的 σ。</translation>
     </message>
     <message>
         <source>%1 and %2</source>
@@ -13475,7 +13475,7 @@ a clause as a sentence</extracomment>
         <translation>给定 σ = %1</translation>
     </message>
     <message>
-        <source>Sets σ of the horizontal and the vertical circle in the form of the instrument; σ of the pointing zero follows unless it was typed</source>
+        <source>Sets σ of the horizontal and the vertical circle in the Instrument form; σ of the pointing zero changes with them unless it was typed</source>
         <translation>在仪器表单中设置水平和竖直度盘的 σ；瞄准零位的 σ 若未录入则随之改变</translation>
     </message>
     <message>
@@ -13502,7 +13502,7 @@ a clause as a sentence</extracomment>
         <translation>有 %1 个输入项无法使用。报告将列出它们，且不作判定。</translation>
     </message>
     <message>
-        <source>What the report holds</source>
+        <source>Contents of the report</source>
         <translation>报告包含的内容</translation>
     </message>
     <message>
@@ -13518,8 +13518,8 @@ a clause as a sentence</extracomment>
         <translation>测量记录文件和结果，附于 PDF(&amp;A)</translation>
     </message>
     <message>
-        <source>The window opens the session out of the PDF again. All readings are in it.</source>
-        <translation>窗口可从 PDF 中再次打开该测量记录。其中包含所有读数。</translation>
+        <source>Alidade can open the session from the PDF again. The PDF then contains all readings.</source>
+        <translation>Alidade 可从 PDF 中再次打开该测量记录。PDF 因此包含所有读数。</translation>
     </message>
     <message>
         <source>Page</source>
@@ -13570,8 +13570,8 @@ a clause as a sentence</extracomment>
         <translation>不包含</translation>
     </message>
     <message>
-        <source>The session lacks entries that a laboratory states: %1. The report names them as not stated; fill them in on the forms of the window.</source>
-        <translation>测量记录中实验室应说明而留空的项：%1。报告将其标为未说明；可在窗口的表单中填写。</translation>
+        <source>A laboratory&apos;s report states these entries, which the session lacks: %1. The report names them as “not stated”; fill them in on the forms of the window.</source>
+        <translation>测量记录缺少实验室报告应说明的内容：%1。报告将其标为“未说明”；可在窗口的表单中填写。</translation>
     </message>
     <message>
         <source>Calibration certificate</source>
@@ -13586,8 +13586,8 @@ a clause as a sentence</extracomment>
         <translation>证书说明的内容</translation>
     </message>
     <message>
-        <source>Country of the laboratory: two letters after ISO 3166-1</source>
-        <translation>实验室所在国家：ISO 3166-1 的两个字母</translation>
+        <source>Country of the laboratory: its two-letter code in ISO 3166-1</source>
+        <translation>实验室所在国家：ISO 3166-1 的两字母代码</translation>
     </message>
     <message>
         <source>not stated</source>
@@ -13649,12 +13649,12 @@ a clause as a sentence</extracomment>
         <translation>验收报告</translation>
     </message>
     <message>
-        <source>%1. Choose another in the dialog of the report, or none.</source>
-        <translation>%1。请在报告对话框中另选一个，或不用。</translation>
+        <source>%1. Choose another logo in the dialog of the report, or none.</source>
+        <translation>%1。请在报告对话框中另选徽标，或不用。</translation>
     </message>
     <message>
-        <source>“%1” is no file: choose a file.</source>
-        <translation>“%1”不是文件：请选择文件。</translation>
+        <source>“%1” is a folder, pipe or device: choose a file.</source>
+        <translation>“%1”是文件夹、管道或设备：请选择文件。</translation>
     </message>
     <message>
         <source>Writing the report…</source>
@@ -13677,7 +13677,7 @@ a clause as a sentence</extracomment>
         <translation>已停止：报告可能只打印了一部分。</translation>
     </message>
     <message>
-        <source>The printer “%1” cannot be printed on: choose another, or export a PDF.</source>
+        <source>Alidade cannot print on “%1”: choose another printer, or export a PDF.</source>
         <translation>无法在打印机“%1”上打印：请另选一台，或导出 PDF。</translation>
     </message>
     <message>
@@ -13702,11 +13702,11 @@ a clause as a sentence</extracomment>
     </message>
     <message>
         <source>Writing the certificate…</source>
-        <translation>正在写证书…</translation>
+        <translation>正在写入证书…</translation>
     </message>
     <message>
         <source>Stopped: no certificate was written.</source>
-        <translation>已停止：没有写出证书。</translation>
+        <translation>已停止：没有写入证书。</translation>
     </message>
     <message>
         <source>Certificate written to %1</source>
@@ -13755,8 +13755,8 @@ a clause as a sentence</extracomment>
         <translation>自动</translation>
     </message>
     <message>
-        <source>The range of the residuals shown. Leave it empty for a range with room for all</source>
-        <translation>所显示残差的范围。留空则容纳全部残差</translation>
+        <source>The range of the residuals shown. If it is empty, all residuals are shown</source>
+        <translation>所显示残差的范围。留空则显示全部残差</translation>
     </message>
     <message>
         <source>Range of the residuals, ±</source>
@@ -13830,23 +13830,23 @@ a clause as a sentence</extracomment>
         <translation>没有图中所选类型的读数。</translation>
     </message>
     <message>
-        <source>not drawn: %1 without a check</source>
-        <translation>未绘制：%1 个没有检核的读数</translation>
+        <source>not drawn: %1 without redundancy</source>
+        <translation>未绘制：%1 个无多余观测的读数</translation>
     </message>
     <message>
         <source>normal</source>
         <translation>正态</translation>
     </message>
     <message>
-        <source>95 % of normal values</source>
-        <translation>95 % 的正态值</translation>
+        <source>95 % band if normal</source>
+        <translation>正态时的 95 % 范围</translation>
     </message>
     <message>
         <source>±1</source>
         <translation>±1</translation>
     </message>
     <message>
-        <source>±3: beyond it 3 of 1000</source>
+        <source>±3: 3 of 1000 lie beyond</source>
         <translation>±3：1000 个中有 3 个超出</translation>
     </message>
     <message>
@@ -13870,8 +13870,8 @@ a clause as a sentence</extracomment>
         <translation>%1度盘：%2″</translation>
     </message>
     <message>
-        <source>, row %1 read</source>
-        <translation>，第 %1 行读取</translation>
+        <source>, row %1 in the order of reading</source>
+        <translation>，按读取顺序第 %1 行</translation>
     </message>
     <message>
         <source> at e = %1°</source>
@@ -13902,15 +13902,15 @@ a clause as a sentence</extracomment>
         <translation>应为：从第一行到最后一行为同样均匀的带；没有漂移，测回之间没有阶跃。</translation>
     </message>
     <message>
-        <source>Should be: the marks follow the line inside the band; one that leaves it at an end may be misread.</source>
-        <translation>应为：各点在带内沿直线分布；在一端离开直线者可能是误读。</translation>
+        <source>Should be: the marks follow the line inside the band; a reading outside the band at an end may be misread.</source>
+        <translation>应为：各点在带内沿直线分布；在一端落到带外的读数可能是误读。</translation>
     </message>
     <message>
-        <source>Should be: an even band about 0, two of three within ±1, hardly one beyond ±3; no wave, no slope.</source>
+        <source>Should be: an even band about 0, two thirds within ±1, hardly any beyond ±3; no wave, no slope.</source>
         <translation>应为：围绕 0 的均匀带，三分之二在 ±1 之内，几乎没有超出 ±3 的；没有波动，没有倾斜。</translation>
     </message>
     <message>
-        <source>Should be: an even band about 0, two of three within ±1σ, hardly one beyond ±3σ; no wave, no slope.</source>
+        <source>Should be: an even band about 0, two thirds within ±1σ, hardly any beyond ±3σ; no wave, no slope.</source>
         <translation>应为：围绕 0 的均匀带，三分之二在 ±1σ 之内，几乎没有超出 ±3σ 的；没有波动，没有倾斜。</translation>
     </message>
     <message>
@@ -13924,10 +13924,10 @@ a clause as a sentence</extracomment>
     <message>
         <source>not drawn: %1 beyond ±%2</source>
         <extracomment>%1: number of residuals, %2: range, such as 10″</extracomment>
-        <translation>未画出：±%2 以外的 %1 个</translation>
+        <translation>未绘制：%1 个超出 ±%2</translation>
     </message>
     <message>
-        <source>number in classes of %1</source>
+        <source>number per class %1 wide</source>
         <translation>区间宽 %1 内的个数</translation>
     </message>
     <message>
@@ -13936,11 +13936,11 @@ a clause as a sentence</extracomment>
         <translation>%1 %2</translation>
     </message>
     <message>
-        <source>expected of normal values, σ = 1</source>
+        <source>expected if normal, σ = 1</source>
         <translation>正态值的期望个数，σ = 1</translation>
     </message>
     <message>
-        <source>expected of the stated σ = %1</source>
+        <source>expected for the stated σ = %1</source>
         <translation>按给定 σ = %1 的期望个数</translation>
     </message>
     <message>
@@ -13948,12 +13948,12 @@ a clause as a sentence</extracomment>
         <translation>区间 %1 至 %2：残差 %3 个，期望 %4 个</translation>
     </message>
     <message>
-        <source>Histogram of %1 residuals in classes of %2, at most %3 in one</source>
+        <source>Histogram of %1 residuals in classes %2 wide, at most %3 per class</source>
         <translation>%1 个残差的直方图，区间宽 %2，每区间至多 %3 个</translation>
     </message>
     <message>
-        <source>Should be: the bars follow the curve. Wider: the stated noise is too small; two humps or a long tail: a gap or a misreading.</source>
-        <translation>应为：各柱沿曲线分布。更宽：给定噪声过小；双峰或长尾：有差距或误读。</translation>
+        <source>Should be: the bars follow the curve. If they are wider, the stated σ is too small; two humps or a long tail show a gap or a misread reading.</source>
+        <translation>应为：各柱沿曲线分布。若更宽，则给定的 σ 过小；双峰或长尾表明有差距或误读。</translation>
     </message>
 </context>
 <context>
@@ -14006,7 +14006,7 @@ a clause as a sentence</extracomment>
 <context>
     <name>alidade::ui::Safekeeping</name>
     <message>
-        <source>in no file yet</source>
+        <source>not saved to a file yet</source>
         <translation>尚未存入文件</translation>
     </message>
     <message>
@@ -14022,8 +14022,8 @@ a clause as a sentence</extracomment>
         <translation>该文件已无法读取</translation>
     </message>
     <message>
-        <source>which was changed since</source>
-        <translation>该文件此后已更改</translation>
+        <source>which has changed since Alidade last read or saved it</source>
+        <translation>Alidade 上次读取或保存后，该文件已更改</translation>
     </message>
     <message>
         <source>Untitled</source>
@@ -14089,7 +14089,7 @@ a clause as a sentence</extracomment>
         <translation>导出 JSON(&amp;J)…</translation>
     </message>
     <message>
-        <source>What alidade-cli history --json says</source>
+        <source>The output of alidade-cli history --json</source>
         <translation>与 alidade-cli history --json 的输出相同</translation>
     </message>
     <message>
@@ -14105,8 +14105,8 @@ a clause as a sentence</extracomment>
         <translation>PDF(&amp;P)…</translation>
     </message>
     <message>
-        <source>The history of the device as a document</source>
-        <translation>设备历史文档</translation>
+        <source>Exports the history of the device as a document</source>
+        <translation>将设备的历史导出为文档</translation>
     </message>
     <message>
         <source>Date</source>
@@ -14197,15 +14197,15 @@ a clause as a sentence</extracomment>
         <translation>共同原因(&amp;S)</translation>
     </message>
     <message>
-        <source>Looking for what the sessions share…</source>
-        <translation>正在查找各测量记录的共同之处…</translation>
+        <source>Looking for causes that the sessions share…</source>
+        <translation>正在查找各测量记录的共同原因…</translation>
     </message>
     <message>
         <source>Keep as an effect</source>
         <translation>存为效应</translation>
     </message>
     <message>
-        <source>Sessions one by one, or a series that was saved</source>
+        <source>Single sessions, or a saved series</source>
         <translation>逐个添加测量记录，或已保存的系列</translation>
     </message>
     <message>
@@ -14213,7 +14213,7 @@ a clause as a sentence</extracomment>
         <translation>保存系列(&amp;S)…</translation>
     </message>
     <message>
-        <source>The list of these sessions and the baseline as a file, to be opened again here or by alidade-cli</source>
+        <source>Saves the list of these sessions and the baseline as a file that this window and alidade-cli can open</source>
         <translation>将这些测量记录的列表和基准阶段保存为文件，可在此处或由 alidade-cli 重新打开</translation>
     </message>
     <message>
@@ -14243,7 +14243,7 @@ a clause as a sentence</extracomment>
         <translation>抽样次数</translation>
     </message>
     <message>
-        <source>Check by simulation</source>
+        <source>Check by Monte Carlo</source>
         <translation>蒙特卡洛检验</translation>
     </message>
     <message>
@@ -14251,8 +14251,8 @@ a clause as a sentence</extracomment>
         <translation>按需要的次数</translation>
     </message>
     <message>
-        <source>More draws determine the ends of the interval better. With 0, as many are made as are needed to decide whether the propagated uncertainty holds</source>
-        <translation>抽样次数越多，区间端点越准。为 0 时，抽样到足以判断传播的不确定度是否成立为止</translation>
+        <source>More draws determine the ends of the interval better. With 0, the number of draws is just enough to decide whether the propagated uncertainty is correct</source>
+        <translation>抽样次数越多，区间端点越准。为 0 时，抽样次数恰好足以判断传播的不确定度是否正确</translation>
     </message>
     <message>
         <source>Draws every reading, pointing zero and length from its distribution and repeats the fit for each draw (JCGM 101)</source>
@@ -14283,8 +14283,8 @@ a clause as a sentence</extracomment>
         <translation>运行</translation>
     </message>
     <message>
-        <source>Does the propagated uncertainty hold? Not checked yet.</source>
-        <translation>传播的不确定度是否成立？尚未检验。</translation>
+        <source>The propagated uncertainty has not been checked yet.</source>
+        <translation>传播的不确定度尚未检验。</translation>
     </message>
 </context>
 <context>
@@ -14342,8 +14342,8 @@ a clause as a sentence</extracomment>
         <translation>指南：十步</translation>
     </message>
     <message>
-        <source>Type to begin a session; Esc returns to the session; F1 opens the guide.</source>
-        <translation>直接输入即开始新的测量记录；Esc 返回该记录；F1 打开指南。</translation>
+        <source>Typing enters text in the session; Esc returns to the session; F1 opens the guide.</source>
+        <translation>直接键入即在测量记录中录入；Esc 返回测量记录；F1 打开指南。</translation>
     </message>
     <message>
         <source>not found</source>
@@ -14434,8 +14434,8 @@ a clause as a sentence</extracomment>
         <translation>盲测</translation>
     </message>
     <message>
-        <source>Its number</source>
-        <translation>其编号</translation>
+        <source>Number of the trial</source>
+        <translation>盲测的编号</translation>
     </message>
     <message>
         <source>Plan</source>
@@ -14494,8 +14494,8 @@ a clause as a sentence</extracomment>
         <translation>误报</translation>
     </message>
     <message>
-        <source>Δd ± U covers</source>
-        <translation>Δd ± U 覆盖</translation>
+        <source>Δd ± U covers the truth</source>
+        <translation>Δd ± U 覆盖真值</translation>
     </message>
     <message>
         <source>No seal was opened yet</source>
@@ -14545,23 +14545,23 @@ a clause as a sentence</extracomment>
         <translation>高度角 °</translation>
     </message>
     <message>
-        <source>Above the pointing zero, mean of both faces</source>
-        <translation>高于瞄准零位，两盘位平均</translation>
+        <source>Elevation above the pointing zero, mean of both faces</source>
+        <translation>高于瞄准零位的高度角，两盘位平均</translation>
     </message>
     <message>
         <source>2c ″</source>
         <translation>2c ″</translation>
     </message>
     <message>
-        <source>α1 − (α2 ± 180°): twice collimation and trunnion tilt, c/cos e + i·tan e</source>
-        <translation>α1 − (α2 ± 180°)：照准差与横轴误差影响的两倍，c/cos e + i·tan e</translation>
+        <source>α1 − (α2 ± 180°) = 2(c/cos e + i·tan e); c: collimation, i: trunnion tilt</source>
+        <translation>α1 − (α2 ± 180°) = 2(c/cos e + i·tan e)；c：照准差，i：横轴误差</translation>
     </message>
     <message>
         <source>2c residual ″</source>
         <translation>2c 残差 ″</translation>
     </message>
     <message>
-        <source>2c as read minus that of the fitted collimation and trunnion tilt</source>
+        <source>2c from the readings minus 2c from the fitted collimation and trunnion tilt</source>
         <translation>所读的 2c 减去由拟合的照准差和横轴误差算得的 2c</translation>
     </message>
     <message>
@@ -14569,8 +14569,8 @@ a clause as a sentence</extracomment>
         <translation>指标差 ″</translation>
     </message>
     <message>
-        <source>Index error of the vertical circle: half of β1 + β2 minus the nominal sum</source>
-        <translation>竖直度盘的指标差：β1 + β2 减去其标称和的一半</translation>
+        <source>Index error of the vertical circle: half of the difference β1 + β2 − nominal sum</source>
+        <translation>竖直度盘的指标差：（β1 + β2 − 标称和）的一半</translation>
     </message>
 </context>
 <context>
@@ -14880,8 +14880,8 @@ a clause as a sentence</extracomment>
         <translation>Ctrl+0</translation>
     </message>
     <message>
-        <source>Enlarge over the picture, or back (Ctrl+0)</source>
-        <translation>放大覆盖图形，或恢复 (Ctrl+0)</translation>
+        <source>Enlarge the lower pages over the picture, or reduce them again (Ctrl+0)</source>
+        <translation>将下方页面放大至覆盖图形，或恢复 (Ctrl+0)</translation>
     </message>
     <message>
         <source>Enlarge lower pages</source>
@@ -15000,7 +15000,7 @@ a clause as a sentence</extracomment>
         <translation>缩小字体(&amp;M)</translation>
     </message>
     <message>
-        <source>State W&amp;hy It Was Changed</source>
+        <source>State Reason for C&amp;hange</source>
         <translation>说明更改的原因(&amp;H)</translation>
     </message>
     <message>

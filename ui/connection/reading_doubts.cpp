@@ -199,7 +199,7 @@ class Doubts {
     if (m_landing.isProposed) return;
     const int face = expectedFace(m_landing.entry);
     if (face != m_reading.face)
-      say(ReadingDoubts::tr("The vertical circle shows %1, but %2 is face for.")
+      say(ReadingDoubts::tr("The vertical circle shows %1, but %2 is asked for.")
               .arg(qText(faceName(m_reading.face)), qText(faceName(face))));
   }
 

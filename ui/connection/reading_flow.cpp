@@ -97,7 +97,7 @@ void ReadingFlow::discard() {
   const InstrumentReading reading = m_waiting.front();
   m_waiting.pop_front();
   ask({});
-  emit remark(tr("A reading was rejected as you wished: %1 and %2, %3.")
+  emit remark(tr("The reading was rejected: %1 and %2, %3.")
                   .arg(qText(reading.horizontal), qText(reading.vertical), qText(faceName(reading.face))));
   proceed();
 }

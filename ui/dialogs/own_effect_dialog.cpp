@@ -31,7 +31,7 @@ QString visibilityText(const OwnEffectCheck& check) {
   QStringList says;
   for (const OwnVisibility& parameter : check.parameters)
     //: %1: an amplitude; %3: a unit
-    says.append(OwnEffectDialog::tr("%1 shows by %2 σ per %3, a plausible size by %4 σ.")
+    says.append(OwnEffectDialog::tr("Trace of %1: %2 σ per %3, %4 σ at the plausible size.")
                     .arg(qText(parameter.parameter), numberText(parameter.perUnit, 1),
                          unitText(parameter.unit), numberText(parameter.plausible, 1)));
   for (const std::string& sentence : check.sentences()) says.append(qText(sentence));
@@ -52,7 +52,7 @@ OwnEffectDialog::OwnEffectDialog(const Session& session, OwnEffect effect, Dialo
       m_remedy(new QLineEdit(qText(m_start.remedy))),
       m_formula(new QPlainTextEdit(qText(m_start.formula))),
       m_owner(new QComboBox),
-      m_turns(new QCheckBox(tr("The other &sign in face 2"))),
+      m_turns(new QCheckBox(tr("Opposite &sign in face 2"))),
       m_remark(new QLabel),
       m_buttons(new QDialogButtonBox(QDialogButtonBox::Ok | QDialogButtonBox::Cancel)),
       m_sizes(new QFormLayout),
@@ -62,7 +62,7 @@ OwnEffectDialog::OwnEffectDialog(const Session& session, OwnEffect effect, Dialo
   m_formula->setTabChangesFocus(true);
   m_formula->setAccessibleName(tr("Formula"));
   m_formula->setFixedHeight(5 * fontMetrics().lineSpacing());
-  m_owner->addItem(tr("no owner: of every session"));
+  m_owner->addItem(tr("no owner: for every session"));
   if (!m_device.empty()) m_owner->addItem(tr("device %1").arg(qText(m_device)), QStringLiteral("device"));
   if (!m_instrument.empty())
     m_owner->addItem(tr("instrument %1").arg(qText(m_instrument)), QStringLiteral("instrument"));

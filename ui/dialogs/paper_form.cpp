@@ -72,7 +72,8 @@ bool askPaper(QWidget* parent, ReportPaper& paper) {
   QObject::connect(buttons, &QDialogButtonBox::rejected, &dialog, &QDialog::reject);
   auto* layout = new QVBoxLayout(&dialog);
   layout->addWidget(form);
-  auto* hint = new QLabel(PaperForm::tr("The report is printed upright; wide margins print it smaller."));
+  auto* hint = new QLabel(
+      PaperForm::tr("The report is printed in portrait format; wide margins make the print smaller."));
   layout->addWidget(hint);
   layout->addWidget(buttons);
   if (dialog.exec() != QDialog::Accepted) return false;

@@ -178,7 +178,8 @@ QWidget* PreferencesDialog::createReportPage() {
   m_paper->addRow(new QLabel(tr("L&anguage")), m_reportLanguage);
   m_logo = new LogoForm(choice.logoPath);
   layout->addWidget(m_paper);
-  layout->addWidget(hint(tr("The report is printed upright; wide margins print it smaller.")));
+  layout->addWidget(
+      hint(tr("The report is printed in portrait format; wide margins make the print smaller.")));
   layout->addWidget(m_logo);
   layout->addStretch();
   return page;

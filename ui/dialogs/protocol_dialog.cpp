@@ -226,7 +226,7 @@ void ProtocolDialog::check() {
   const QString lead =
       m_draft->isRestored() ? tr("Entries restored as they were when the program ended.") + u' ' : QString();
   m_remark->setText(lead + (!own ? tr("Type the places as angles with blanks between them: 10 20 30.5 40")
-                            : isTooMuch ? tr("%1 sightings are more than a protocol holds.").arg(count)
+                            : isTooMuch ? tr("%1 sightings are too many for a protocol.").arg(count)
                                         : tr("%1 sightings").arg(count)));
 }
 

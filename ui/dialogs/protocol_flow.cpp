@@ -27,7 +27,7 @@ bool ProtocolFlow::load() {
   if (!protocol) {
     m_dialogs.showProblem(
         tr("Follow a protocol"),
-        tr("“%1” cannot be followed.\n\n%2").arg(name, visibleLine(protocol.problem().text())));
+        tr("The protocol “%1” cannot be followed.\n\n%2").arg(name, visibleLine(protocol.problem().text())));
     return false;
   }
   followProtocol(m_document, *protocol);

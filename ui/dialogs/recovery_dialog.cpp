@@ -68,9 +68,10 @@ QWidget* RecoveryDialog::createButtons() {
 }
 
 bool RecoveryDialog::isDiscardConfirmed() {
-  QMessageBox box(QMessageBox::Warning, tr("Discard unsaved changes"),
-                  tr("The kept changes of “%1” cannot be brought back.").arg(m_names->currentItem()->text()),
-                  QMessageBox::Discard | QMessageBox::Cancel, this);
+  QMessageBox box(
+      QMessageBox::Warning, tr("Discard unsaved changes"),
+      tr("Once discarded, the changes of “%1” cannot be recovered.").arg(m_names->currentItem()->text()),
+      QMessageBox::Discard | QMessageBox::Cancel, this);
   box.setTextFormat(Qt::PlainText);
   box.setDefaultButton(QMessageBox::Cancel);
   makeSafeButton(*qobject_cast<QPushButton*>(box.button(QMessageBox::Cancel)));

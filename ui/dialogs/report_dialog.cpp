@@ -89,8 +89,8 @@ QWidget* ReportDialog::createLacks() {
         warning((m_question.isCertificate
                      ? tr("ISO/IEC 17025 requires entries that the session lacks: %1. Fill them in on the "
                           "forms of the window; without them only a draft can be made.")
-                     : tr("The session lacks entries that a laboratory states: %1. The report names them as "
-                          "not stated; fill them in on the forms of the window."))
+                     : tr("A laboratory's report states these entries, which the session lacks: %1. The "
+                          "report names them as “not stated”; fill them in on the forms of the window."))
                     .arg(fields)));
   }
   return lacks;
@@ -103,7 +103,7 @@ QWidget* ReportDialog::createCertificate() {
   m_country = new QLineEdit(last.country);
   m_country->setMaxLength(2);
   m_country->setPlaceholderText(QStringLiteral("DE"));
-  m_country->setToolTip(tr("Country of the laboratory: two letters after ISO 3166-1"));
+  m_country->setToolTip(tr("Country of the laboratory: its two-letter code in ISO 3166-1"));
   m_performedAt = new QComboBox;
   m_performedAt->addItem(tr("not stated"), QString());
   m_performedAt->addItem(tr("at the laboratory"), QStringLiteral("laboratory"));
@@ -122,7 +122,7 @@ QWidget* ReportDialog::createCertificate() {
 }
 
 QWidget* ReportDialog::createContents() {
-  auto* group = new QGroupBox(tr("What the report holds"));
+  auto* group = new QGroupBox(tr("Contents of the report"));
   auto* layout = new QVBoxLayout(group);
   layout->addWidget(createPlainLabel(
       tr("Always: result, U and verdict, findings, terms, excluded and changed readings, notes.")));
@@ -139,7 +139,8 @@ QWidget* ReportDialog::createContents() {
   }
   m_session = new QCheckBox(tr("Session file and results, &attached to the PDF"));
   m_session->setObjectName(QStringLiteral("session"));
-  m_session->setToolTip(tr("The window opens the session out of the PDF again. All readings are in it."));
+  m_session->setToolTip(
+      tr("Alidade can open the session from the PDF again. The PDF then contains all readings."));
   m_session->setChecked(m_question.choice.hasSession);
   m_session->setVisible(m_question.way == ReportQuestion::Way::Export);
   layout->addSpacing(6);

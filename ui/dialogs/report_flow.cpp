@@ -117,9 +117,9 @@ std::optional<ReportOptions> ReportFlow::optionsFor(const SharedGap& gap, const 
   if (choice.logoPath.isEmpty()) return options;
   const Result<QImage> logo = readLogo(choice.logoPath);
   if (!logo) {
-    m_dialogs.showProblem(
-        tr("Acceptance report"),
-        tr("%1. Choose another in the dialog of the report, or none.").arg(visibleLine(logo.problem().what)));
+    m_dialogs.showProblem(tr("Acceptance report"),
+                          tr("%1. Choose another logo in the dialog of the report, or none.")
+                              .arg(visibleLine(logo.problem().what)));
     return {};
   }
   options.logo = *logo;
@@ -158,7 +158,8 @@ bool ReportFlow::exportOf(const SharedGap& gap, const QString& suggestion) {
   const QString path = m_dialogs.askReportPath(suggestion);
   if (path.isEmpty()) return false;
   if (const QFileInfo file(path); file.exists() && !file.isFile()) {
-    m_dialogs.showProblem(title, tr("“%1” is no file: choose a file.").arg(visibleLine(path)));
+    m_dialogs.showProblem(title,
+                          tr("“%1” is a folder, pipe or device: choose a file.").arg(visibleLine(path)));
     return false;
   }
   const auto busy = m_dialogs.busy(tr("Writing the report…"));
@@ -247,7 +248,7 @@ bool ReportFlow::printOf(const SharedGap& gap) {
     emit remark(tr("Stopped: the report may be printed in part."));
   } else if (!isPrinted) {
     m_dialogs.showProblem(tr("Print acceptance report"),
-                          tr("The printer “%1” cannot be printed on: choose another, or export a PDF.")
+                          tr("Alidade cannot print on “%1”: choose another printer, or export a PDF.")
                               .arg(visibleLine(printer.printerName())));
   } else {
     emit remark(tr("Report sent to the printer"));

@@ -38,7 +38,7 @@ struct ComparedFile {
 };
 
 ComparedFile comparedFile(const RecoveryRecord& record) {
-  if (record.path.isEmpty()) return {.state = Safekeeping::tr("in no file yet")};
+  if (record.path.isEmpty()) return {.inPlace = Safekeeping::tr("not saved to a file yet")};
   const QString place = Safekeeping::tr("in %1").arg(visibleLine(QDir::toNativeSeparators(record.path)));
   const auto inPlace = [&place](const QString& more) { return listText({place, more}); };
   if (!QFileInfo(record.path).isFile())
@@ -49,7 +49,9 @@ ComparedFile comparedFile(const RecoveryRecord& record) {
   const QByteArray hash =
       QCryptographicHash::hash(QByteArray::fromStdString(*bytes), QCryptographicHash::Sha256);
   return {*std::move(session),
-          hash == record.sha256 ? place : inPlace(Safekeeping::tr("which was changed since"))};
+          hash == record.sha256
+              ? place
+              : inPlace(Safekeeping::tr("which has changed since Alidade last read or saved it"))};
 }
 
 /// The unfinished entries of the record's session when it was last kept.

@@ -43,7 +43,7 @@ TrialList::TrialList(QWidget* parent) : QWidget(parent), m_summary(wrappedLabel(
 DataTable* TrialList::createTable() {
   const auto of = [this](auto text) { return [this, text](int row) { return text(atRow(row)); }; };
   auto* table = new DataTable(
-      {{tr("Trial"), tr("Its number"), QStringLiteral("888888"),
+      {{tr("Trial"), tr("Number of the trial"), QStringLiteral("888888"),
         of([](const Drawn& d) { return qText(d.trial->trial.seal.id); })},
        {tr("Plan"), tr("Plan of readings"), QStringLiteral("there-and-back8"),
         of([](const Drawn& d) { return qText(d.trial->trial.truth.protocol); }), Qt::AlignLeft},
@@ -117,7 +117,7 @@ void TrialList::showScore() {
   if (m_right.count > 0) {
     texts.append(tallyText(tr("Right"), m_right));
     if (m_falseAlarms.count > 0) texts.append(tallyText(tr("false alarms"), m_falseAlarms));
-    if (m_covered.count > 0) texts.append(tallyText(tr("Δd ± U covers"), m_covered));
+    if (m_covered.count > 0) texts.append(tallyText(tr("Δd ± U covers the truth"), m_covered));
   } else {
     texts.append(tr("No seal was opened yet"));
   }

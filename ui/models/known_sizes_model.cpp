@@ -126,12 +126,12 @@ QVariant KnownSizesModel::headerData(int section, Qt::Orientation orientation, i
   if (orientation == Qt::Vertical) return {};
   const auto column = static_cast<Column>(section);
   const QString tips[columnsOfKnown] = {
-      tr("Number of an effect of the catalogue"),
-      tr("Where the session keeps its known size"),
+      tr("Catalogued effect, or one of its quantities"),
+      tr("Device or instrument to which the known size belongs"),
       tr("Plausible size (1σ), used if no size is known"),
       tr("Known size, in the unit of the default; empty: 0"),
-      tr("Its standard uncertainty, in the unit of the default; empty: the default"),
-      tr("Certificate or check: the budget names it")};
+      tr("Standard uncertainty of the known size, in the unit of the default; empty: the default"),
+      tr("Certificate or check that gives the known size; named in the budget")};
   if (role == Qt::DisplayRole) return titleOf(column);
   if (role == Qt::TextAlignmentRole) return QVariant(alignmentOf(column));
   return role == Qt::ToolTipRole ? tips[section] : QVariant();
@@ -235,7 +235,8 @@ QString KnownSizesModel::about(const QModelIndex& index) const {
     return tipText(qText(typed(row, *typedInto(column))));
   if (!row.effect) return problem(row, Column::Number);
   if (row.isFurther)
-    return tr("The session has several known sizes for this number: they are combined by their weights.");
+    return tr(
+        "The session has several known sizes for this quantity: their mean, weighted by 1/u², is used.");
   return tr("%1. Its known size belongs to the %2.")
       .arg(capitalised(qText(Phrase::of(row.effect->description))), ownerName(ownerOf(*row.effect)));
 }

@@ -205,7 +205,7 @@ QString ReadingsModel::residualTip(int row, ReadingColumn column) const {
   const double standardised = column == ReadingColumn::HorizontalResidual ? residual->horizontalStandardised
                                                                           : residual->verticalStandardised;
   if (std::isnan(standardised))
-    return tr("No other reading checks this one: its residual says nothing about it");
+    return tr("No other reading checks this one: its residual cannot show an error");
   return tr("Standardised residual w = v/(s0 σ √r): %1").arg(signedNumberText(standardised, 2));
 }
 

@@ -139,7 +139,7 @@ bool InstallationDialog::print() {
   printer.setFullPage(true);  // for every printer the user may choose
   if (paintInstallationCheck(printer, *m_check, paper)) return true;
   m_dialogs.showProblem(windowTitle(),
-                        tr("The printer “%1” cannot be printed on: choose another, or save a PDF.")
+                        tr("Alidade cannot print on “%1”: choose another printer, or save a PDF.")
                             .arg(visibleLine(printer.printerName())));
   return false;
 }

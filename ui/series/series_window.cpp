@@ -133,22 +133,21 @@ QWidget* SeriesWindow::createButtons() {
     return button;
   };
   add(tr("Add &Folder…"), "add folder", tr("All sessions (*.alidade) of a folder"), [this] { addFolder(); });
-  add(tr("Add F&iles…"), "add files", tr("Sessions one by one, or a series that was saved"),
-      [this] { addFiles(); });
+  add(tr("Add F&iles…"), "add files", tr("Single sessions, or a saved series"), [this] { addFiles(); });
   m_remove =
       add(tr("&Remove"), "remove", tr("Takes the selected sessions out of the series; their files stay"),
           [this] { removeSelected(); });
-  m_save = add(
-      tr("&Save Series…"), "save series",
-      tr("The list of these sessions and the baseline as a file, to be opened again here or by alidade-cli"),
-      [this] { saveSeries(); });
+  m_save = add(tr("&Save Series…"), "save series",
+               tr("Saves the list of these sessions and the baseline as a file that this window and "
+                  "alidade-cli can open"),
+               [this] { saveSeries(); });
   layout->addStretch();
-  m_json = add(tr("Export &JSON…"), "export json", tr("What alidade-cli history --json says"),
+  m_json = add(tr("Export &JSON…"), "export json", tr("The output of alidade-cli history --json"),
                [this] { exportJson(); });
   m_csv = add(tr("Export &CSV…"), "export csv", tr("The values of the quantity shown, with their limits"),
               [this] { exportCsv(); });
-  m_pdf =
-      add(tr("&PDF…"), "export pdf", tr("The history of the device as a document"), [this] { exportPdf(); });
+  m_pdf = add(tr("&PDF…"), "export pdf", tr("Exports the history of the device as a document"),
+              [this] { exportPdf(); });
   return row;
 }
 
@@ -263,7 +262,8 @@ void SeriesWindow::diagnose() {
   std::vector<std::string> files;
   for (const SeriesSession& session : m_series->sessions)
     if (session.epoch) files.push_back(session.path);
-  m_diagnosis->setDiagnosis(nullptr, files.empty() ? QString() : tr("Looking for what the sessions share…"));
+  m_diagnosis->setDiagnosis(nullptr,
+                            files.empty() ? QString() : tr("Looking for causes that the sessions share…"));
   m_diagnosisJob.start(files);
 }
 

@@ -107,7 +107,8 @@ QWidget* StartPage::createActions() {
   add("insert", tr("Import readings…"), &StartPage::importWanted);
   add("note", tr("Guide: ten steps"), &StartPage::guideWanted);
   layout->addStretch();
-  auto* hint = new QLabel(tr("Type to begin a session; Esc returns to the session; F1 opens the guide."));
+  auto* hint =
+      new QLabel(tr("Typing enters text in the session; Esc returns to the session; F1 opens the guide."));
   hint->setForegroundRole(QPalette::PlaceholderText);
   hint->setWordWrap(true);
   layout->addWidget(hint);

@@ -65,8 +65,8 @@ TEST(OwnEffectDialog, MarksAnErrorAtItsPlace) {
 TEST(OwnEffectDialog, SaysHowFarASoundOneShows) {
   EffectForm form(dent());
   EXPECT_TRUE(form.isReady());
-  EXPECT_THAT(form.says(), HasSubstr("A shows by "));
-  EXPECT_THAT(form.says(), HasSubstr(" σ per mm, a plausible size by "));
+  EXPECT_THAT(form.says(), HasSubstr("Trace of A: "));
+  EXPECT_THAT(form.says(), HasSubstr(" σ at the plausible size."));
   EXPECT_TRUE(form.dialog.findChild<QPlainTextEdit*>()->extraSelections().isEmpty());
   form.type("radial = A");
   EXPECT_THAT(form.says(), HasSubstr("This effect is undetectable here"))

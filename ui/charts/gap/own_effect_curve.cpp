@@ -79,7 +79,7 @@ void OwnEffectCurve::setCurves(const std::vector<OwnCurve>& curves) {
   chart()->legend()->setVisible(chart()->series().size() > 1);
   chart()->legend()->setLabelColor(style.text);
   chart()->setTitleBrush(style.mutedText);
-  chart()->setTitle(chart()->series().isEmpty() ? tr("A curve appears once the formula is sound.")
+  chart()->setTitle(chart()->series().isEmpty() ? tr("The curve appears once the formula is correct.")
                                                 : QString());
   if (chart()->series().isEmpty()) return;
   chart()->createDefaultAxes();

@@ -24,7 +24,7 @@ ResidualPage::ResidualPage(QWidget* parent)
   addKinds();
   m_reach->setObjectName(QStringLiteral("residual reach"));
   m_reach->setPlaceholderText(tr("automatic"));
-  m_reach->setToolTip(tr("The range of the residuals shown. Leave it empty for a range with room for all"));
+  m_reach->setToolTip(tr("The range of the residuals shown. If it is empty, all residuals are shown"));
   m_reach->setAccessibleName(tr("Range of the residuals, ±"));
   m_reach->setValidator(new QRegularExpressionValidator(
       QRegularExpression(QStringLiteral("\\d{0,6}([.,]\\d{0,4})?")), m_reach));

@@ -225,7 +225,7 @@ std::vector<LegendEntry> ResidualPlot::kindEntries() const {
   for (const ResidualKind& kind : kinds) entries.push_back({kind.marker(style()), kind.text()});
   for (LegendEntry& entry : rowEntries(style(), m_picture->kinds, m_drawn.rows, m_slots.areApart()))
     entries.push_back(std::move(entry));
-  if (m_unchecked > 0) entries.push_back({{}, tr("not drawn: %1 without a check").arg(m_unchecked)});
+  if (m_unchecked > 0) entries.push_back({{}, tr("not drawn: %1 without redundancy").arg(m_unchecked)});
   if (m_beyond > 0)
     entries.push_back({{},
                        //: %1: number of residuals, %2: range, such as 10″
@@ -244,7 +244,7 @@ std::vector<LegendEntry> ResidualPlot::classEntries() const {
   std::vector<LegendEntry> entries;
   entries.push_back(
       {style().band,
-       tr("number in classes of %1").arg(unitText(plainNumberText(m_classes.histogram.width)))});
+       tr("number per class %1 wide").arg(unitText(plainNumberText(m_classes.histogram.width)))});
   if (m_classes.curve.isEmpty()) return entries;
   QStringList sigmas;
   for (const StatedNoise& noise : m_noise) {
@@ -254,8 +254,8 @@ std::vector<LegendEntry> ResidualPlot::classEntries() const {
                                       : tr("%1 %2").arg(listText(noise.circles), sigma));
   }
   entries.push_back({QPen(style().text, 1.4 * style().unit()),
-                     m_drawn.isStandardised ? tr("expected of normal values, σ = 1")
-                                            : tr("expected of the stated σ = %1").arg(listText(sigmas))});
+                     m_drawn.isStandardised ? tr("expected if normal, σ = 1")
+                                            : tr("expected for the stated σ = %1").arg(listText(sigmas))});
   return entries;
 }
 
@@ -265,7 +265,7 @@ std::vector<LegendEntry> ResidualPlot::noiseEntries() const {
   if (isOver(Over::Normal)) {
     std::vector<LegendEntry> entries{{QPen(style().frame, unit), tr("normal")}};
     if (!m_envelope.lower.isEmpty())
-      entries.insert(entries.begin(), {style().band, tr("95 % of normal values")});
+      entries.insert(entries.begin(), {style().band, tr("95 % band if normal")});
     return entries;
   }
   std::vector<LegendEntry> entries;
@@ -276,7 +276,7 @@ std::vector<LegendEntry> ResidualPlot::noiseEntries() const {
     const QPen pen = limit(limitStyles[i + mostBands - m_noise.size()]);
     if (m_drawn.isStandardised) {
       entries.push_back({colour, tr("±1")});
-      entries.push_back({pen, tr("±3: beyond it 3 of 1000")});
+      entries.push_back({pen, tr("±3: 3 of 1000 lie beyond")});
       continue;
     }
     const QString sigma = plainNumberText(noise.sigma) + QChar(0x2033);
@@ -366,7 +366,7 @@ QString ResidualPlot::describe(const Mark& mark) const {
   text += residual.circle == CircleRead::Slider
               ? tr("slider: %1″").arg(value)
               : tr("%1 circle: %2″").arg(circleName(residual.circle), value);
-  if (isOver(Over::Order)) text += tr(", row %1 read").arg(residual.order);
+  if (isOver(Over::Order)) text += tr(", row %1 in the order of reading").arg(residual.order);
   if (isOver(Over::Elevation)) text += tr(" at e = %1°").arg(numberText(residual.elevation, 3));
   if (isOver(Over::Azimuth)) text += tr(" at a = %1°").arg(numberText(residual.azimuth, 3));
   if (isOver(Over::Slider) || isOver(Over::Normal) || isOver(Over::Count))
@@ -386,7 +386,7 @@ QString ResidualPlot::describe(const Mark& mark) const {
 QString ResidualPlot::summary() const {
   if (!message().isEmpty()) return message();
   if (isOver(Over::Count))
-    return tr("Histogram of %1 residuals in classes of %2, at most %3 in one")
+    return tr("Histogram of %1 residuals in classes %2 wide, at most %3 per class")
         .arg(m_points.size())
         .arg(unitText(plainNumberText(m_classes.histogram.width)))
         .arg(m_classes.histogram.largestCount());
@@ -404,22 +404,21 @@ QString ResidualPlot::standard() const {
           "Should be: the same even band from the first row to the last; no drift, no step between rounds.");
     case Over::Normal:
       return tr(
-          "Should be: the marks follow the line inside the band; one that leaves it at an end may be "
+          "Should be: the marks follow the line inside the band; a reading outside the band at an end may be "
           "misread.");
     case Over::Count:
       return tr(
-          "Should be: the bars follow the curve. Wider: the stated noise is too small; two humps or a long "
-          "tail: a gap or a misreading.");
+          "Should be: the bars follow the curve. If they are wider, the stated σ is too small; two humps or "
+          "a long tail show a gap or a misread reading.");
     case Over::Slider:
     case Over::Elevation:
     case Over::Azimuth:
       break;
   }
-  return m_choice.isStandardised
-             ? tr("Should be: an even band about 0, two of three within ±1, hardly one beyond "
-                  "±3; no wave, no slope.")
-             : tr("Should be: an even band about 0, two of three within ±1σ, hardly one "
-                  "beyond ±3σ; no wave, no slope.");
+  return m_choice.isStandardised ? tr("Should be: an even band about 0, two thirds within ±1, hardly any "
+                                      "beyond ±3; no wave, no slope.")
+                                 : tr("Should be: an even band about 0, two thirds within ±1σ, hardly any "
+                                      "beyond ±3σ; no wave, no slope.");
 }
 
 std::string ResidualPlot::classesCsv() const {

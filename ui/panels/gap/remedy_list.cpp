@@ -26,22 +26,22 @@ QString jumpText(const Session& session, const Jump& jump) {
   const QString row =
       accessiblePlace(session, {.position = jump.place.position, .reading = jump.place.reading});
   QString text = RemedyList::tr(
-                     "The jump happened before %1. A jump cannot be added to the model: check the stand, "
-                     "sight the pointing zero again and repeat this position.")
+                     "The jump happened before %1. A jump cannot be added to the model: check the tripod or "
+                     "pillar, sight the pointing zero again and repeat this position.")
                      .arg(row);
   if (jump.before)
     text += RemedyList::tr(
         " Or leave out the rows before the jump, if the pointing zero of the next position was not sighted "
         "after the jump.");
   if (jump.after && jump.isLast)
-    text += RemedyList::tr(" Or leave out the rows from there on.");
+    text += RemedyList::tr(" Or leave out the rows after the jump.");
   else if (jump.after)
-    text +=
-        jump.before
-            ? RemedyList::tr(" Or leave out the rows from there on, if that zero was sighted after the jump.")
-            : RemedyList::tr(
-                  " Or leave out the rows from there on, if the pointing zero of the next position was "
-                  "sighted after the jump.");
+    text += jump.before
+                ? RemedyList::tr(
+                      " Or leave out the rows after the jump, if that zero was sighted after the jump.")
+                : RemedyList::tr(
+                      " Or leave out the rows after the jump, if the pointing zero of the next position was "
+                      "sighted after the jump.");
   return text;
 }
 
@@ -92,11 +92,10 @@ QPushButton* RemedyList::addButton(const QString& text, const QString& name) {
 void RemedyList::addRelation(const Gap& gap) {
   const bool isPlanar = gap.evaluation->examined.measurement->relation == VerticalAngleRelation::Planar;
   QPushButton* relation =
-      addButton(isPlanar ? tr("Take exact vertical angles") : tr("Take planar vertical angles"),
+      addButton(isPlanar ? tr("Set the relation to exact") : tr("Set the relation to planar"),
                 QStringLiteral("relation"));
   relation->setToolTip(
-      tr("Sets the relation of the vertical angle in the form of the measurement: no "
-         "effect has to be estimated then"));
+      tr("Sets “Relation” (vertical angle) in the Measurement form; this effect then need not be estimated"));
   connect(relation, &QPushButton::clicked, this, [this, isPlanar] {
     emit relationWanted(isPlanar ? QStringLiteral("exact") : QStringLiteral("planar"));
   });
@@ -105,7 +104,7 @@ void RemedyList::addRelation(const Gap& gap) {
 void RemedyList::addGrossErrors(const Cause& cause) {
   if (!cause.indistinguishableFrom.empty())
     addText(
-        tr("The cause may also be %1, which would move Δd: read the position again before a row is left out.")
+        tr("The cause may also be %1, which would move Δd: read the position again before you exclude a row.")
             .arg(causeNames(cause.indistinguishableFrom, tr(" or "))));
   for (const ReadingDeviation& reading : cause.readings) {
     m_buttons = nullptr;
@@ -130,9 +129,9 @@ void RemedyList::addJump(const Gap& gap, const Cause& cause) {
           [this, place = jump->place] { emit placeActivated(place); });
   if (jump->before && jump->after) m_buttons = nullptr;  // three in a row are wider than the page
   if (jump->before)
-    addRowsExclusion(tr("Exclude the rows before"), QStringLiteral("exclude before"), *jump->before);
+    addRowsExclusion(tr("Exclude rows before the jump"), QStringLiteral("exclude before"), *jump->before);
   if (jump->after)
-    addRowsExclusion(tr("Exclude the rows from there on"), QStringLiteral("exclude after"), *jump->after);
+    addRowsExclusion(tr("Exclude rows after the jump"), QStringLiteral("exclude after"), *jump->after);
 }
 
 void RemedyList::addRowsExclusion(const QString& text, const QString& name, const RowRange& rows) {
@@ -143,8 +142,8 @@ void RemedyList::addRowsExclusion(const QString& text, const QString& name, cons
 
 void RemedyList::addNoise(const Gap& gap, const Cause& cause) {
   addText(
-      tr("Nothing to add to the model: U already includes the scatter of the readings. If the instrument and "
-         "the place are no better than this, state the larger σ."));
+      tr("Nothing to add to the model: U already includes the scatter of the readings. If such scatter is "
+         "usual for this instrument and site, state the larger σ."));
   const std::optional<StatedNoise> noise = scatterOf(gap, cause);
   if (!noise) return;
   const QString second = QChar(0x2033);
@@ -154,8 +153,8 @@ void RemedyList::addNoise(const Gap& gap, const Cause& cause) {
           : tr("%1 and %2").arg(qText(noise->horizontal) + second, qText(noise->vertical) + second);
   QPushButton* state = addButton(tr("State σ = %1").arg(both), QStringLiteral("state noise"));
   state->setToolTip(
-      tr("Sets σ of the horizontal and the vertical circle in the form of the instrument; σ of the pointing "
-         "zero follows unless it was typed"));
+      tr("Sets σ of the horizontal and the vertical circle in the Instrument form; σ of the pointing zero "
+         "changes with them unless it was typed"));
   connect(state, &QPushButton::clicked, this, [this, noise = *noise] { emit noiseWanted(noise); });
 }
 

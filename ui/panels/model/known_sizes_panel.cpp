@@ -34,7 +34,7 @@ KnownSizesPanel::KnownSizesPanel(SessionDocument& document, QWidget* parent)
   take->setToolTip(tr("Name, serial number, σ of the circles and known sizes from a file"));
   auto* save = new QPushButton(tr("Save as Instrument Record…"));
   save->setObjectName(QStringLiteral("save record"));
-  save->setToolTip(tr("The session's instrument data as a file, for the next sessions"));
+  save->setToolTip(tr("Saves the session's instrument data as a file for later sessions"));
   connect(take, &QPushButton::clicked, this, &KnownSizesPanel::recordWanted);
   connect(save, &QPushButton::clicked, this, &KnownSizesPanel::saveRecordWanted);
   auto* buttons = new QHBoxLayout;

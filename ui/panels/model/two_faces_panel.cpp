@@ -36,13 +36,14 @@ DataTable* TwoFacesPanel::createTable() {
        [this](int i) { return positionText(row(i).axisDeg, row(i).time); }},
       {tr("Point"), tr("Number of the slider's place"), QStringLiteral("999"), whole(&Row::point)},
       {tr("Round"), tr("Round of readings"), {}, whole(&Row::round)},
-      {tr("Elevation °"), tr("Above the pointing zero, mean of both faces"), QStringLiteral("−10.888"),
+      {tr("Elevation °"), tr("Elevation above the pointing zero, mean of both faces"),
+       QStringLiteral("−10.888"),
        [this](int i) { return numberText(row(i).difference.elevation.degrees(), 3); }},
-      {tr("2c ″"), tr("α1 − (α2 ± 180°): twice collimation and trunnion tilt, c/cos e + i·tan e"),
+      {tr("2c ″"), tr("α1 − (α2 ± 180°) = 2(c/cos e + i·tan e); c: collimation, i: trunnion tilt"),
        QStringLiteral("−188.8"), seconds(&FaceDifference::doubleCollimation)},
-      {tr("2c residual ″"), tr("2c as read minus that of the fitted collimation and trunnion tilt"),
+      {tr("2c residual ″"), tr("2c from the readings minus 2c from the fitted collimation and trunnion tilt"),
        QStringLiteral("−88.8"), seconds(&FaceDifference::fromCourse)},
-      {tr("Index ″"), tr("Index error of the vertical circle: half of β1 + β2 minus the nominal sum"),
+      {tr("Index ″"), tr("Index error of the vertical circle: half of the difference β1 + β2 − nominal sum"),
        QStringLiteral("−188.8"), seconds(&FaceDifference::index)},
   });
 }

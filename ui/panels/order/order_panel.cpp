@@ -74,7 +74,7 @@ QString nameOf(const SightingProtocol& protocol) {
 
 QString listedLater() {
   return OrderPanel::tr(
-             "The sightings that reach a U of Δd are listed from the first reading on, up to %1 rows.")
+             "Sightings that reach the wanted U of Δd are listed here while the session has 1 to %1 rows.")
       .arg(mostForChoice);
 }
 
@@ -118,7 +118,7 @@ QWidget* OrderPanel::createSummary() {
   m_choice->setFocusPolicy(Qt::StrongFocus);
   m_choice->setSizePolicy(QSizePolicy::Maximum, QSizePolicy::Fixed);
   m_choice->setMinimumWidth(m_choice->fontMetrics().horizontalAdvance(tr("Protocol")) * 2);
-  m_progress->setAccessibleName(tr("Sightings there"));
+  m_progress->setAccessibleName(tr("Sightings taken"));
   m_progress->setTextVisible(true);
   QFont large = m_expected->font();
   large.setPointSizeF(large.pointSizeF() * 1.7);
@@ -153,7 +153,7 @@ QWidget* OrderPanel::createUncertainty() {
   m_uncertainty->setSpecialValueText(tr("none"));
   m_uncertainty->setKeyboardTracking(false);
   m_uncertainty->setToolTip(
-      tr("Lists the sightings that reach this U of Δd in the fewest minutes. With 0 it is a third of the "
+      tr("Lists the sightings that reach this U of Δd in the fewest minutes. Type 0 for a third of the "
          "tolerance"));
   auto* row = new QWidget;
   auto* layout = new QHBoxLayout(row);
@@ -181,14 +181,14 @@ DataTable* OrderPanel::createTable() {
        left},
       {tr("Sighting"), tr("Place with round and face, or pointing zero"), tr("pointing zero, face 2"),
        [this](int row) { return qText(sightingName(sighting(row).planned)); }, left},
-      {tr("State"), tr("Whether it is taken"), tr("skipped"),
+      {tr("State"), tr("Whether the sighting has been taken"), tr("skipped"),
        [this](int row) { return qText(stateName(sighting(row).state)); }, left},
       {tr("Horizontal"), tr("Expected reading of the horizontal circle"), QStringLiteral("359.99 gon"),
        [this](int row) { return expectedText(row, true); }},
       {tr("Vertical"), tr("Expected reading of the vertical circle"), QStringLiteral("359.99 gon"),
        [this](int row) { return expectedText(row, false); }},
-      {tr("Remark"), tr("Why it must be taken again, and what is out of order"), tr("take again"),
-       [this](int row) { return remarkText(row); }, left},
+      {tr("Remark"), tr("Why the sighting must be taken again, or whether it was taken out of order"),
+       tr("take again"), [this](int row) { return remarkText(row); }, left},
   });
 }
 
@@ -300,8 +300,8 @@ void OrderPanel::showSummary() {
   m_progress->setVisible(isLed);
   m_state->setText(isLed   ? qText(progressSentences(guide->progress))
                    : guide ? visibleLine(guide->problem)
-                           : tr("A protocol shows the next sighting and its expected reading, what is left, "
-                                "what to repeat, and when the readings are enough."));
+                           : tr("A protocol shows the next sighting and its expected reading, which "
+                                "sightings remain, which to repeat, and when the readings suffice."));
   QStringList repeats;
   if (isLed) {
     for (const Repeat& repeat : guide->repeats)
@@ -311,7 +311,7 @@ void OrderPanel::showSummary() {
     m_progress->setValue(static_cast<int>(guide->progress.taken));
     const int number = guide->progress.next ? static_cast<int>(*guide->progress.next) + 1 : count;
     m_progress->setFormat(guide->protocol.isByWorth
-                              ? tr("%1 taken, at most %2").arg(guide->progress.taken).arg(count)
+                              ? tr("%1 of at most %2 taken").arg(guide->progress.taken).arg(count)
                               : tr("sighting %1 of %2").arg(number).arg(count));
     const QFontMetrics metrics = m_choice->fontMetrics();
     m_choice->setText(metrics.elidedText(tr("Protocol: %1").arg(nameOf(guide->protocol)), Qt::ElideRight,
@@ -373,15 +373,15 @@ void OrderPanel::fillMenu() {
   const std::vector<Measure> advice = adviceOf(gapOfThis());
   const SightingProtocol both = advice.empty() ? SightingProtocol() : withMeasures(rows, advice);
   const bool isAdvised = !both.positions.empty();
-  QAction* advised =
-      m_menu->addAction(isAdvised ? tr("Rows and %1").arg(qText(textOf(advice))) : tr("Rows and the Advice"));
+  QAction* advised = m_menu->addAction(isAdvised ? tr("From the Rows and %1").arg(qText(textOf(advice)))
+                                                 : tr("From the Rows and the Advice"));
   advised->setEnabled(isAdvised);
   if (isAdvised) connect(advised, &QAction::triggered, this, [this, both] { follow(both); });
   m_menu->addSeparator();
   const Guide* guide = guideThatLeads();
   QAction* byWorth = m_menu->addAction(tr("Most Informative Next"));
   byWorth->setToolTip(
-      tr("The next sighting is the one with the most information per minute, not the first one left"));
+      tr("The next sighting is the one with the most information per minute, not the first remaining one"));
   byWorth->setCheckable(true);
   byWorth->setEnabled(guide);
   byWorth->setChecked(guide && guide->protocol.isByWorth);

@@ -140,7 +140,7 @@ void PositionTabs::nameTabs() {
                                  : tr("Axis at %1").arg(menuText(position));
     if (tabText(tab) != name) setTabText(tab, name);
     const auto axis = axisEntry(positions[static_cast<std::size_t>(tab)].axisDeg);
-    setTabToolTip(tab, axis ? tr("To its readings with Alt+%1").arg(*axis == 0 ? 0 : 1) : QString());
+    setTabToolTip(tab, axis ? tr("Alt+%1 goes to its readings").arg(*axis == 0 ? 0 : 1) : QString());
   }
 }
 

@@ -101,21 +101,22 @@ DataTable* ReliabilityPanel::createTable() {
          return numberText(row.adjusted.standardised(m_detection.scale), 2);
        })},
       {tr("Redundancy"),
-       tr("Share of an error that shows in the reading's own residual, 0 to 1; 0: nothing checks it"),
+       tr("Share of an error that shows in the reading's own residual, 0 to 1; 0: no other reading checks "
+          "it"),
        {},
        [this](int i) { return numberText(input(i) ? input(i)->redundancy : row(i).adjusted.redundancy, 2); }},
       {tr("Detectable ″"),
        tr("Minimal detectable bias: the smallest error of this reading that the search for misread readings "
           "finds with a probability of 80 %; the risk of naming a correct reading anywhere in the session is "
-          "1 %; noise: s0 σ"),
+          "1 %; assumed noise: s0 σ"),
        QStringLiteral("1888.8"),
        [this](int i) {
          const double bias = input(i) ? INFINITY : row(i).reliability.minimalDetectableBias.arcseconds();
          return std::isfinite(bias) ? numberText(bias, 1) : tr("none");
        }},
       {tr("Moves Δd by mm"),
-       tr("Change of Δd by an undetected error of that size; for quantities entered once, by an error of one "
-          "unit"),
+       tr("Change of Δd by an undetected error of the size in “Detectable”; for quantities entered "
+          "once, by an error of one unit"),
        QStringLiteral("−0.0888 per mm"),
        [this](int i) {
          if (!input(i)) return signedNumberText(row(i).reliability.influence, 4);

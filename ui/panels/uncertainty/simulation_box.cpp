@@ -41,7 +41,7 @@ SimulationBox::SimulationBox(const SessionDocument& document, QWidget* parent)
   layout->setContentsMargins(0, 0, 0, 0);
   layout->setSpacing(5);
   m_note->setForegroundRole(QPalette::PlaceholderText);
-  layout->addWidget(panelHeading(tr("Check by simulation")));
+  layout->addWidget(panelHeading(tr("Check by Monte Carlo")));
   layout->addLayout(row);
   layout->addWidget(m_progress);
   layout->addWidget(m_note);
@@ -59,8 +59,8 @@ void SimulationBox::createControls() {
   m_draws->setSpecialValueText(tr("as many as needed"));
   m_draws->setSingleStep(100000);
   m_draws->setToolTip(
-      tr("More draws determine the ends of the interval better. With 0, as many are made as are needed to "
-         "decide whether the propagated uncertainty holds"));
+      tr("More draws determine the ends of the interval better. With 0, the number of draws is just enough "
+         "to decide whether the propagated uncertainty is correct"));
   m_run->setObjectName(QStringLiteral("run simulation"));
   m_run->setToolTip(
       tr("Draws every reading, pointing zero and length from its distribution and repeats the fit for each "
@@ -142,7 +142,7 @@ void SimulationBox::showCheck() {
   m_answer->setStatement(statement);
   m_note->setText(!m_remark.isEmpty() || isAnswered
                       ? m_remark
-                      : tr("Does the propagated uncertainty hold? Not checked yet."));
+                      : tr("The propagated uncertainty has not been checked yet."));
   m_note->setVisible(!isWanted() && !m_note->text().isEmpty());
 }
 

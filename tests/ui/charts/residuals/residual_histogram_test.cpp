@@ -72,8 +72,8 @@ TEST(ResidualHistogram, CountsEveryResidualInItsClass) {
     EXPECT_EQ(all, 68);
     EXPECT_EQ(plot.markers().marks().size(), 68u);
     EXPECT_NEAR(expected, 68, 0.2) << "the classes reach beyond 3 σ";
-    EXPECT_TRUE(legendText(plot).contains(isStandardised ? QStringLiteral("expected of normal values, σ = 1")
-                                                         : QStringLiteral("expected of the stated σ = 2″")))
+    EXPECT_TRUE(legendText(plot).contains(isStandardised ? QStringLiteral("expected if normal, σ = 1")
+                                                         : QStringLiteral("expected for the stated σ = 2″")))
         << legendText(plot).toStdString();
     EXPECT_TRUE(plot.describe(plot.markers().marks()[0]).contains(QStringLiteral("class from")));
     for (const Mark& mark : plot.markers().marks())

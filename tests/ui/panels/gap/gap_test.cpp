@@ -404,15 +404,15 @@ TEST(Gap, SaysWhenWhichRowsOfAJumpMayBeLeftOut) {
     for (const QPushButton* button : list.findChildren<QPushButton*>()) texts += u'\n' + button->text();
     return texts.toStdString();
   };
-  const std::string goTo = "\nGo to the reading", after = "\nExclude the rows from there on";
+  const std::string goTo = "\nGo to the reading", after = "\nExclude rows after the jump";
   EXPECT_THAT(adviceAt(35), EndsWith("if the pointing zero of the next position was sighted after the jump." +
                                      goTo + after));
   EXPECT_THAT(adviceAt(4), EndsWith("repeat this position." + goTo)) << "too few are left";
   EXPECT_THAT(adviceAt(67),
-              EndsWith("position. Or leave out the rows from there on, if the pointing zero of the "
+              EndsWith("position. Or leave out the rows after the jump, if the pointing zero of the "
                        "next position was sighted after the jump." +
                        goTo + after));
-  EXPECT_THAT(adviceAt(68 + 35), EndsWith("position. Or leave out the rows from there on." + goTo + after));
+  EXPECT_THAT(adviceAt(68 + 35), EndsWith("position. Or leave out the rows after the jump." + goTo + after));
 }
 
 /// Excluding the rows after the jump preserves Δd. The remaining rows and their zero were read before the

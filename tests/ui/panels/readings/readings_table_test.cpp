@@ -325,7 +325,7 @@ TEST(ReadingsModel, SaysWhereNoOtherReadingChecksOne) {
   ReadingsModel model(document, 0);
   model.setEvaluation(std::make_shared<const Evaluation>(evaluateFit(session)));
   EXPECT_EQ(model.index(0, static_cast<int>(ReadingColumn::HorizontalResidual)).data(Qt::ToolTipRole),
-            QStringLiteral("No other reading checks this one: its residual says nothing about it"));
+            QStringLiteral("No other reading checks this one: its residual cannot show an error"));
 }
 
 TEST(ReadingsModel, TellsOnlyOfCellsThatSaySomethingElse) {

@@ -65,7 +65,7 @@ struct SimulationBench {
 
 TEST(Simulation, ShowsWhatTheCoreDrawsBesideWhatIsPropagated) {
   SimulationBench bench;
-  EXPECT_THAT(bench.shown(), HasSubstr("Not checked yet."));
+  EXPECT_THAT(bench.shown(), HasSubstr("has not been checked yet."));
   bench.run();
   const Evaluation evaluation = evaluateFit(paperSession());
   const Intersection& linear = *evaluation.fit.intersection;
