@@ -52,7 +52,7 @@ std::string causeText(const SharedCause& cause, const SeriesDiagnosis& series) {
       if (&size - cause.sizes.data() + 1 == static_cast<std::ptrdiff_t>(mostRows)) break;
     }
   if (!cause.cause.indistinguishableFrom.empty())
-    text += paragraph("  These sessions cannot tell it from: " +
+    text += paragraph("  These sessions cannot distinguish it from: " +
                           causeNames(cause.cause.indistinguishableFrom, " or ") + ".",
                       2);
   return text;

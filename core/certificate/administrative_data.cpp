@@ -28,9 +28,11 @@ constexpr std::array<std::string_view, 5> placesOfPerformance = {"laboratory", "
 Problem noDay(const std::string& text, const std::string& field) {
   if (text.empty())
     return Problem{
-        Phrase::of("is empty: a calibration certificate states the day of the measurement, as 2026-03-01"),
+        Phrase::of(
+            "is empty: a calibration certificate states the day of the measurement, such as 2026-03-01"),
         Place{.field = field}};
-  return Problem{Phrase::of("%1 is no day: write it as 2026-03-01", quotation(text)), Place{.field = field}};
+  return Problem{Phrase::of("%1 is no date: write it in the form 2026-03-01", quotation(text)),
+                 Place{.field = field}};
 }
 
 bool isDay(const std::string& text) {
@@ -66,7 +68,7 @@ std::optional<Problem> takeDays(StatedEntries& stated, const CertificateSource& 
   return std::nullopt;
 }
 
-constexpr const char* placeNoun = PHRASE_LATER("Phrase", "where it was measured");
+constexpr const char* placeNoun = PHRASE_LATER("Phrase", "place of performance");
 
 bool isNotStated(const StatedEntries& stated, std::string_view noun) {
   return std::ranges::find(stated.notStated, noun) != stated.notStated.end();
@@ -77,8 +79,8 @@ std::optional<Problem> takeCountry(StatedEntries& stated, const std::string& tex
   const auto isCapital = [](char c) { return c >= 'A' && c <= 'Z'; };
   if (stated.country.empty()) stated.country = noCountry;
   if (stated.country.size() == 2 && std::ranges::all_of(stated.country, isCapital)) return std::nullopt;
-  return Problem{
-      Phrase::of("%1 is no country: write its two letters after ISO 3166-1, as DE or CN", quotation(text))};
+  return Problem{Phrase::of("%1 is no country: enter its two-letter code of ISO 3166-1, such as DE or CN",
+                            quotation(text))};
 }
 
 std::optional<Problem> takePlace(StatedEntries& stated, const std::string& text) {
@@ -127,7 +129,7 @@ void addItems(const Element& to, const CertificateSource& source, const StatedEn
   const Element item = to.add("items").add("item");
   item.attribute("id", "guideway");
   if (stated.device.empty())
-    item.say("name", [] { return Phrase::of("Rotatable arc guideway, its name not stated"); });
+    item.say("name", [] { return Phrase::of("Rotatable arc guideway, name not stated"); });
   else
     item.typed("name", stated.device);
   addName(item.add("manufacturer"), stated.manufacturer);

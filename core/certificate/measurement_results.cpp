@@ -56,16 +56,19 @@ void addNoneMeasured(const Element& data, bool isDiagnosed) {
 }
 
 StatedQuantity ofTheFit(const Intersection& intersection, bool isHeadline) {
-  return {
-      .id = "intersection_of_fit",
-      .refType = isHeadline ? "basic_measuredValue" : nullptr,
-      .name = [] { return Phrase::of("Intersection Δd, fit only"); },
-      .value = intersection.value,
-      .unit = millimetres,
-      .uncertainty = StatedUncertainty{intersection.sigma, intersection.expanded, intersection.coverage,
-                                       shapeOf(intersection.effectiveDegreesOfFreedom)},
-      .description =
-          [] { return Phrase::of("By the scatter of the readings, the pointing zeros and the distance."); }};
+  return {.id = "intersection_of_fit",
+          .refType = isHeadline ? "basic_measuredValue" : nullptr,
+          .name = [] { return Phrase::of("Intersection Δd, fit only"); },
+          .value = intersection.value,
+          .unit = millimetres,
+          .uncertainty = StatedUncertainty{intersection.sigma, intersection.expanded, intersection.coverage,
+                                           shapeOf(intersection.effectiveDegreesOfFreedom)},
+          .description =
+              [] {
+                return Phrase::of(
+                    "The uncertainty comes from the scatter of the readings, the pointing zeros and the "
+                    "distance.");
+              }};
 }
 
 void addIntersection(const Element& results, const FitAnswer& answer) {
@@ -137,7 +140,8 @@ void addArc(const Element& results, const ArcFit& arc, const ArcSigma& sigma) {
     return Phrase::of("Arc in the position %1 of the axis", positionName(arc.axisDeg, arc.time));
   });
   result.say("description", [] {
-    return Phrase::of("Centre in the plane of the arc, x right, y up, from the theodolite's centre.");
+    return Phrase::of(
+        "Centre in the plane of the arc, relative to the theodolite's centre: x to the right, y up.");
   });
   const Element data = result.add("data");
   const std::string x = id + "_x", y = id + "_y", radius = id + "_radius", rms = id + "_residual_rms";

@@ -80,7 +80,7 @@ void addTheodolite(const Element& to, const CertificateSource& source) {
   const std::string name = certificateText(instrument.name),
                     traceability = certificateText(instrument.traceability);
   if (name.empty())
-    theodolite.say("name", [] { return Phrase::of("Theodolite, its name not stated"); });
+    theodolite.say("name", [] { return Phrase::of("Theodolite, name not stated"); });
   else
     theodolite.typed("name", name);
   if (!traceability.empty())

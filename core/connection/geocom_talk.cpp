@@ -252,10 +252,10 @@ void GeoComTalk::giveUp(std::optional<int> code, Milliseconds now, TalkStep& ste
       code           ? geoComSentence(*code)
       : m_wasSpoiled ? Phrase::of("The answers of the instrument were corrupted %1 times.", question.attempts)
                      : Phrase::of("The instrument failed to answer %1 times.", question.attempts);
-  step.remarks.push_back(
-      m_isTaking
-          ? Phrase::of("%1 No reading was taken; sight again.", why)
-          : Phrase::of("%1 Is it switched on, set to GeoCOM at this baud rate, and the right port?", why));
+  step.remarks.push_back(m_isTaking ? Phrase::of("%1 No reading was taken; sight again.", why)
+                                    : Phrase::of("%1 Check that the instrument is on and set to GeoCOM at "
+                                                 "this baud rate, and that the port is right.",
+                                                 why));
   m_questions.clear();
   m_waitsFor.reset();
   m_askAt.reset();

@@ -98,9 +98,9 @@ void GsiTalk::onTick(Milliseconds now, TalkStep& step) {
   if (m_serialUntil && now >= *m_serialUntil) m_serialUntil.reset();
   if (!m_readingUntil || now < *m_readingUntil) return;
   m_readingUntil.reset();
-  step.remarks.push_back(
-      Phrase::of("The instrument did not answer. No reading was taken; sight again, or record on the "
-                 "instrument. Is it set to GSI at this baud rate, and the right port?"));
+  step.remarks.push_back(Phrase::of(
+      "The instrument did not answer. No reading was taken; sight again, or record on the instrument. Check "
+      "that the instrument is set to GSI at this baud rate, and that the port is right."));
 }
 
 void GsiTalk::onLine(const std::string& line, Milliseconds now, TalkStep& step) {

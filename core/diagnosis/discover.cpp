@@ -92,8 +92,9 @@ Result<Discovery> discover(std::string_view bytes) {
   if (!table) return table.problem();
   const TableForms forms(*table);
   if (forms.freedom() < 1)
-    return Problem{Phrase::of("The base columns take up all %1 residuals: leave some of the columns out.",
-                              table->readings.count)};
+    return Problem{Phrase::of(
+        "The base columns leave no degree of freedom in the %1 residuals: leave out some of the columns.",
+        table->readings.count)};
   return forms.find();
 }
 

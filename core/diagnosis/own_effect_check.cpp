@@ -78,17 +78,18 @@ bool OwnEffectCheck::leavesNothing() const {
 std::vector<std::string> OwnEffectCheck::sentences() const {
   std::vector<std::string> texts;
   if (notFinite > 0)
-    texts.push_back(
-        Phrase::of("The formula has no finite value on these readings in %1 of %2 cases: it counts "
-                   "as 0 there.",
-                   notFinite, values));
+    texts.push_back(Phrase::of(
+        "In %1 of %2 evaluations at these readings, the formula has no finite value: 0 is used instead.",
+        notFinite, values));
   if (leavesNothing())
     texts.push_back(
         Phrase::of("This effect is undetectable here, as the fit absorbs it: its trace is %1 σ per %2.",
                    fixedText(parameters.front().perUnit, 1), parameters.front().unit));
   if (!sameAs.empty())
-    texts.push_back(Phrase::of("This equals %1 of the catalogue: these readings cannot distinguish the two.",
-                               quotation(Phrase::of(effectById(sameAs)->name))));
+    texts.push_back(
+        Phrase::of("This effect has nearly the same trace as %1 of the catalogue: these readings cannot "
+                   "distinguish the two.",
+                   quotation(Phrase::of(effectById(sameAs)->name))));
   return texts;
 }
 

@@ -80,7 +80,7 @@ constexpr std::vector<Effect> makeCatalogue() {
       // its cosine acts like an index.
       {"vertical_graduation",
        PHRASE_LATER("Phrase", "vertical graduation"),
-       PHRASE_LATER("Phrase", "the vertical circle's graduation errs twice a turn"),
+       PHRASE_LATER("Phrase", "the vertical circle's graduation error has two periods per turn"),
        PHRASE_LATER("Phrase", "observe in both faces, and have the circle calibrated"),
        ErrorSource::Instrument,
        Linear,

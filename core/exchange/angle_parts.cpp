@@ -87,7 +87,8 @@ class PartsJoiner {
     for (std::size_t i = 0; i < m_count; ++i) {
       const auto part = partOf(m_cells[i], partMarks[i]);
       if (m_cells[i].empty())
-        return Problem{Phrase::of("%1 lacks one of its parts: fill in 0 where there are none", quoted())};
+        return Problem{
+            Phrase::of("%1 lacks degrees, minutes or seconds: enter 0 for the missing part", quoted())};
       if (!part)
         return Problem{Phrase::of("%1 is not an angle: type an angle such as 341°52'24\"", quoted())};
       m_parts[i] = *part;
@@ -107,7 +108,7 @@ class PartsJoiner {
     bool isDecided = m_isNegative || !m_parts[0].isZero();
     for (std::size_t i = 1; i < m_count; ++i) {
       if (m_parts[i].isNegative && isDecided && !m_isNegative)
-        return Problem{Phrase::of("%1 has a sign within: put it before the degrees", quoted())};
+        return Problem{Phrase::of("%1 has a sign in the middle: put the sign before the degrees", quoted())};
       m_isNegative = m_isNegative || m_parts[i].isNegative;
       isDecided = isDecided || !m_parts[i].isZero();
     }

@@ -142,7 +142,7 @@ class CsvReader {
     if (m_recording.verticalCircle.empty() && m_circleKind.isElevation()) {
       m_recording.verticalCircle = "elevation";
       m_recording.circleRemark =
-          Phrase::of("the vertical readings are treated as elevations, as some are negative");
+          Phrase::of("the vertical readings are treated as elevations, because some are negative");
     }
     for (const std::size_t line : m_remarksWithReading)
       unused.push_back(Phrase::of("line %1 begins with # and is not used, though it holds a reading", line));
@@ -165,7 +165,8 @@ class CsvReader {
       if (*kind == UnreadRows::Kind::NoReading && namesOthers(row))
         return refuse(
             row.line, 0,
-            Phrase::of("the columns are named again and differently: put what follows into a separate file"));
+            Phrase::of(
+                "the columns have other names from here on: put the rows that follow into a separate file"));
       return m_unread.add(*kind, row.line);
     }
     if (const CsvCell* cell = cellBeyond(row))

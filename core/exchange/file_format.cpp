@@ -61,12 +61,12 @@ bool beginsWithBrand(std::string_view beginning, std::string_view brand) {
          !hasCircles(recogniseTable(beginning).table);
 }
 
-constexpr const char* exportReadings = PHRASE_LATER(
-    "Phrase",
-    "is a file of the format %1, which is not read here: export GSI, SDR, JobXML or a table (CSV) instead");
-constexpr const char* saveAsCsv = PHRASE_LATER(
-    "Phrase",
-    "is a file of the format %1, which is not read here: save its table as CSV and choose that file");
+constexpr const char* exportReadings = PHRASE_LATER("Phrase",
+                                                    "is a file of the format %1, which this program does not "
+                                                    "read: export GSI, SDR, JobXML or a table (CSV) instead");
+constexpr const char* saveAsCsv = PHRASE_LATER("Phrase",
+                                               "is a file of the format %1, which this program does not "
+                                               "read: save its table as CSV and choose that file");
 constexpr const char* holdsNoReadings =
     PHRASE_LATER("Phrase",
                  "is a file of the format %1, which holds no readings of circles: choose the file of the "

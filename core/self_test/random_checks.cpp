@@ -19,10 +19,9 @@ using Json = nlohmann::json;
 constexpr auto group = CheckGroup::Random;
 constexpr const char* everyBit =
     PHRASE_LATER("Phrase", "every bit: a seed gives the same numbers on every machine");
-constexpr const char* everyReading =
-    PHRASE_LATER("Phrase",
-                 "every digit of every reading, by the SHA-256 of all: a seed gives the same session on "
-                 "every machine");
+constexpr const char* everyReading = PHRASE_LATER(
+    "Phrase",
+    "every digit of every reading, compared by SHA-256: a seed gives the same session on every machine");
 constexpr CheckTolerance ofNormal = {
     .relative = 1e-14,
     .reason =

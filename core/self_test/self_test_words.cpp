@@ -20,9 +20,9 @@ std::string titleOf(CheckGroup group) {
     case CheckGroup::Distributions:
       return Phrase::of("Coverage factors (t), tails of χ² and F, normal quantiles, at 50 digits");
     case CheckGroup::Angles:
-      return Phrase::of("Angles as they are typed, at 50 digits");
+      return Phrase::of("Conversion of typed angles, at 50 digits");
     case CheckGroup::Random:
-      return Phrase::of("Random numbers and a simulated session, written a second time");
+      return Phrase::of("Random numbers and a simulated session, by a second implementation");
     case CheckGroup::Installed:
       return Phrase::of("Files installed with the programs");
     case CheckGroup::Window:

@@ -144,8 +144,8 @@ class Knowledge {
     ofTilt();
     const auto calibrated = [this](bool Corrections::*isOn, const char* effect) {
       if (stateOf(m_measurement, isOn) == Switch::On)
-        add(effect, "", 0, calibrationSigma,
-            Phrase::of("corrected by the instrument with its own calibration"), calibrationStale);
+        add(effect, "", 0, calibrationSigma, Phrase::of("the instrument's correction by its own calibration"),
+            calibrationStale);
     };
     calibrated(&Corrections::collimation, "collimation");
     calibrated(&Corrections::tiltingAxis, "trunnion_tilt");

@@ -117,8 +117,8 @@ Result<std::optional<Corrections>> correctionsEntry(const std::string& text) {
     const bool isOther = known == std::end(correctionSwitches) && word != noCorrections;
     if (isOther || isNone || (corrections && word == noCorrections))
       return Problem{
-          Phrase::of("%1 names no corrections: type words out of inclination, standing_axis, "
-                     "collimation and tilting_axis with blanks between, or none",
+          Phrase::of("%1 names no corrections: type one or more of inclination, standing_axis, collimation "
+                     "and tilting_axis, separated by blanks, or the word none",
                      quotation(text))};
     isNone = word == noCorrections;
     if (!corrections) corrections.emplace();

@@ -20,8 +20,9 @@ namespace {
 
 constexpr JsonFormat recordFormat = {
     "alidade-instrument",
-    PHRASE_LATER("Phrase",
-                 "is missing: this is no instrument record, which says \"format\": \"alidade-instrument\""),
+    PHRASE_LATER(
+        "Phrase",
+        "is missing, so this is no instrument record: choose a file with \"format\": \"alidade-instrument\""),
     PHRASE_LATER("Phrase", "choose an instrument record"),
     PHRASE_LATER("Phrase", "%1 is no version of an instrument record: it must be %2")};
 

@@ -18,9 +18,10 @@ namespace {
 
 constexpr JsonFormat effectFormat = {
     "alidade-effect",
-    PHRASE_LATER("Phrase", "is missing: this is no effect's file, which says \"format\": \"alidade-effect\""),
-    PHRASE_LATER("Phrase", "choose a file of an effect"),
-    PHRASE_LATER("Phrase", "%1 is no version of an effect's file: it must be %2")};
+    PHRASE_LATER("Phrase",
+                 "is missing, so this is no effect file: choose a file with \"format\": \"alidade-effect\""),
+    PHRASE_LATER("Phrase", "choose an effect file"),
+    PHRASE_LATER("Phrase", "%1 is no version of an effect file: it must be %2")};
 
 OwnEffect effectFrom(const ObjectReader& reader) {
   const ObjectReader owner = reader.object("owner");

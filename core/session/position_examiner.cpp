@@ -153,11 +153,10 @@ class PositionExaminer : private ProblemReporter {
     if (std::abs(zeroUp.degrees()) > steepestZero || degrees < widestDegrees ||
         std::abs(e.degrees()) >= widestDegrees)
       return;
-    report(
-        {Phrase::of("%1 lies %2° off the horizon, steeper than the arc can be sighted: check the degrees and "
-                    "the face",
-                    quotation(text), fixedText(degrees, 0))},
-        at(place, "vertical"));
+    report({Phrase::of("%1 is %2° away from the horizon, too steep for a sighting of the arc: check the "
+                       "degrees and the face",
+                       quotation(text), fixedText(degrees, 0))},
+           at(place, "vertical"));
   }
 
   const Position& m_position;

@@ -34,7 +34,7 @@ constexpr JsonFormat sessionFormat = {
     "alidade-session",
     PHRASE_LATER(
         "Phrase",
-        "is missing: this is no session file; a session file contains \"format\": \"alidade-session\""),
+        "is missing, so this is no session file: choose a file with \"format\": \"alidade-session\""),
     PHRASE_LATER("Phrase", "choose a session file"),
     PHRASE_LATER("Phrase", "%1 is no version of a session file: it must be %2")};
 

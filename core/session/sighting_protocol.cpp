@@ -23,7 +23,8 @@ namespace {
 constexpr JsonFormat protocolFormat = {
     "alidade-protocol",
     PHRASE_LATER("Phrase",
-                 "is missing: this is no measurement protocol, which says \"format\": \"alidade-protocol\""),
+                 "is missing, so this is no measurement protocol: choose a file with \"format\": "
+                 "\"alidade-protocol\""),
     PHRASE_LATER("Phrase", "choose a measurement protocol"),
     PHRASE_LATER("Phrase", "%1 is no version of a measurement protocol: it must be %2")};
 
@@ -174,8 +175,9 @@ class ProtocolReader {
     ProtocolRound round;
     const std::string way = reader.text("way");
     if (!way.empty() && way != "there" && way != "back")
-      reader.report(Phrase::of("%1 is no direction through the places: write there or back", quotation(way)),
-                    reader.placeOf("way"));
+      reader.report(
+          Phrase::of("%1 is no direction through the places: write \"there\" or \"back\"", quotation(way)),
+          reader.placeOf("way"));
     round.isBack = way == "back";
     round.faces = faces(reader, "faces", {1});
     const auto isPair = [&](std::size_t first) { return round.faces[first] != round.faces[first + 1]; };

@@ -58,8 +58,8 @@ std::optional<Problem> takeRecord(Session& session, const InstrumentRecord& reco
   Instrument& own = session.instrument;
   if (!own.serial.empty() && !record.serial.empty() && own.serial != record.serial)
     //: two serial numbers in quotation marks
-    return Problem{Phrase::of("%1 is not the serial number of the record, %2: choose the record of this "
-                              "instrument, or correct the serial number",
+    return Problem{Phrase::of("%1 is not the serial number in the instrument record (%2): choose the record "
+                              "of this instrument, or correct the serial number",
                               quotation(own.serial), quotation(record.serial)),
                    {.field = "instrument.serial"}};
   takeWhereEmpty(own.name, record.name);

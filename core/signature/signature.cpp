@@ -87,7 +87,8 @@ Result<Owned<EVP_PKEY>> keyOf(const SigningFiles& files) {
   const Result<std::string> pem = pemOf(files.key);
   if (!pem) return pem.problem();
   if (pem->find("PRIVATE KEY") != std::string::npos && isOpenToOthers(files.key))
-    return of(files.key, Phrase::of("is open to others: let its owner alone read the key (chmod 600)"));
+    return of(files.key,
+              Phrase::of("is accessible to other users: allow only its owner to read the key (chmod 600)"));
   Result<std::string> passphrase = passphraseOf(files);
   if (!passphrase) return passphrase.problem();
   std::string opener = *std::move(passphrase);
@@ -96,11 +97,11 @@ Result<Owned<EVP_PKEY>> keyOf(const SigningFiles& files) {
   if (key) return Result<Owned<EVP_PKEY>>(std::move(key));
   const bool isLocked = pem->find("ENCRYPTED") != std::string::npos;
   if (isLocked && opener.empty())
-    return of(files.key,
-              Phrase::of("is locked by a passphrase: state it in the environment (%1) or in a file "
-                         "(--sign-passphrase-file)",
-                         passphraseVariable));
-  if (isLocked) return of(files.key, Phrase::of("is not opened by this passphrase: check it"));
+    return of(files.key, Phrase::of("is protected by a passphrase: state the passphrase in the environment "
+                                    "variable %1 or in a file (--sign-passphrase-file)",
+                                    passphraseVariable));
+  if (isLocked)
+    return of(files.key, Phrase::of("cannot be opened with this passphrase: check the passphrase"));
   return of(files.key, Phrase::of("holds no private key that can be read: choose a PEM file with one"));
 }
 
@@ -141,10 +142,12 @@ std::optional<Problem> whyUnfit(const SigningFiles& files, const EVP_PKEY& key, 
                          visibleText(files.key)));
   const ASN1_TIME *begin = X509_get0_notBefore(&certificate), *end = X509_get0_notAfter(&certificate);
   if (X509_cmp_current_time(end) <= 0)
-    return of(files.certificate, Phrase::of("has expired (%1): sign with one that is valid", dateText(end)));
+    return of(files.certificate,
+              Phrase::of("has expired (%1): sign with a valid certificate", dateText(end)));
   if (X509_cmp_current_time(begin) > 0)
     return of(files.certificate,
-              Phrase::of("is not valid before %1: check the clock, or sign with another", dateText(begin)));
+              Phrase::of("is not valid before %1: check the clock, or sign with another certificate",
+                         dateText(begin)));
   return std::nullopt;
 }
 

@@ -95,7 +95,7 @@ class ExpressionReader {
     const std::size_t length = characterLength(rest());
     for (const std::string_view sign : degreeSigns)
       if (rest().starts_with(sign))
-        return refuse(length, Phrase::of("The sign ° stands only behind a number, such as 83°."));
+        return refuse(length, Phrase::of("The sign ° is allowed only after a number, such as 83°."));
     refuse(length, Phrase::of("The sign %1 has no meaning in a formula: take it out.",
                               quotation(rest().substr(0, length))));
   }
@@ -176,7 +176,7 @@ class ExpressionReader {
       m_result.text += name;
     } else if (name == "temperature") {
       refuse(name.size(), Phrase::of("The readings have no temperature of their own: take another variable, "
-                                     "such as t, the share of the session."));
+                                     "such as t, the elapsed share of the session."));
     } else if (carrierNamed(name) || named(formulaFunctions, name)) {
       refuse(name.size(), Phrase::of("%1 cannot be an amplitude, as it has another meaning: take a letter "
                                      "such as A.",
@@ -221,8 +221,8 @@ class ExpressionReader {
 
   void takeComma() {
     if (m_open.empty() || !m_open.back().function)
-      return refuse(1, Phrase::of("A comma stands only between the arguments of a function. Type a point in "
-                                  "numbers."));
+      return refuse(1, Phrase::of("A comma is allowed only between the arguments of a function. In numbers, "
+                                  "type a decimal point."));
     if (m_wantsOperand) return refuse(1, Phrase::of("A number or a name is missing before the comma."));
     if (++m_open.back().commas >= m_open.back().function->arguments)
       return refuse(1, countFault(*m_open.back().function));

@@ -160,7 +160,7 @@ std::string lookAlikesText(const FoundForm& found) {
 
 std::string lookAlikesSentence(const FoundForm& found) {
   if (found.indistinguishableFrom.empty()) return {};
-  return Phrase::of("These readings cannot tell it from: %1.", lookAlikesText(found));
+  return Phrase::of("These readings cannot distinguish the form from: %1.", lookAlikesText(found));
 }
 
 std::string cleanRangeSentence(const FoundForm& found) {

@@ -25,7 +25,7 @@ std::string formSentence(const FoundForm& found);
 /// "vertical drift, radius, cos 2s, and 3 more": its look-alikes, effects of the catalogue first.
 std::string lookAlikesText(const FoundForm& found);
 
-/// "These readings cannot tell it from: …."; empty without look-alikes.
+/// "These readings cannot distinguish the form from: …."; empty without look-alikes.
 std::string lookAlikesSentence(const FoundForm& found);
 
 /// The range in which the model is valid without the form. Empty for a harmonic, which acts everywhere, and

@@ -128,7 +128,7 @@ std::string whetherEnough(const Outlook& outlook, const ProtocolProgress& progre
   const std::string needed = text(account.of(*outlook.needed));
   const auto from = outlook.now ? std::optional(account.of(*outlook.now)) : std::nullopt;
   if (outlook.now && outlook.isEnough(*outlook.now))
-    return Phrase::of("The readings are enough: U = %1 mm, and the verdict, %2, needs %3 mm.", text(*from),
+    return Phrase::of("The readings are enough: U = %1 mm, and the verdict “%2” needs %3 mm.", text(*from),
                       verdictName(outlook.isWithin), needed);
   const auto rounds = outlook.roundsNeeded();
   if (!rounds) return notEnough(outlook, account, text);
@@ -223,9 +223,8 @@ std::string repeatSentence(const Repeat& repeat, const ProtocolProgress& progres
           "%3 (%4 σ).",
           where, circleName(repeat), size, sigmas);
     case Repeat::Reason::WaysDisagree:
-      return Phrase::of(
-          "%1 again, and in round %2: the way back lies %3 farther out than the way there (%4 σ).", where,
-          progress.sightings[repeat.sightings.back()].planned.round, size, sigmas);
+      return Phrase::of("%1 again, and in round %2: in that round the place lies %3 farther out (%4 σ).",
+                        where, progress.sightings[repeat.sightings.back()].planned.round, size, sigmas);
     case Repeat::Reason::ZeroMoved:
       return Phrase::of(
           "%1 again: its %2 reading differs from the earlier one by %3 (%4 σ). If the new reading differs "

@@ -98,8 +98,8 @@ std::string sealSentence(const CheckedSeal& checked, std::size_t since) {
   if (checked.state == State::Unchecked)
     return Phrase::of("%1; the sealed content cannot be rebuilt from the journal and is not checked.", text);
   if (since == 0) return Phrase::of("%1 and unchanged since.", text);
-  if (since == 1) return Phrase::of("%1; one change since: a revision that nobody has sealed.", text);
-  return Phrase::of("%1; %2 changes since: a revision that nobody has sealed.", text, since);
+  if (since == 1) return Phrase::of("%1; one change since: the current revision is not sealed.", text);
+  return Phrase::of("%1; %2 changes since: the current revision is not sealed.", text, since);
 }
 
 /// The last seal, and earlier ones that are broken.

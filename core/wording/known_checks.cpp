@@ -84,8 +84,8 @@ std::string staleSentence(const Diagnosis& diagnosis) {
       add(staleText(*check, probabilityText(cause.probability)));
     if (cause.isStale && isOtherWayRound(diagnosis, cause.effect))
       add(
-          Phrase::of("With the opposite sign the tilts would agree: look up the sign convention of the "
-                     "instrument's tilts."));
+          Phrase::of("With the opposite sign, the tilts would agree with the readings: look up the sign "
+                     "convention of the instrument's tilts."));
     std::vector<std::string> others;
     for (const auto& ids : {cause.unlessStale, cause.indistinguishableFrom})
       for (const std::string& id : ids)

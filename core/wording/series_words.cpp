@@ -173,15 +173,15 @@ std::vector<Finding> findingsOf(const SeriesDiagnosis& series) {
   for (const SeriesCopy& copy : series.copies)
     findings.push_back({.severity = Severity::Note, .text = copySentence(copy.file, copy.first)});
   if (series.withoutInstrument > 0)
-    add(Phrase::of("%1 of %2 sessions do not state the serial of their instrument: no instrument effect is "
-                   "assumed to be common to them.",
+    add(Phrase::of("%1 of %2 sessions do not state the serial number of their instrument: no instrument "
+                   "effect is assumed to be common to them.",
                    series.withoutInstrument, series.sessions.size()),
-        Phrase::of("State the serials."));
+        Phrase::of("Enter the serial numbers."));
   if (series.withoutGuideway > 0)
-    add(Phrase::of("%1 of %2 sessions do not state the serial of their guideway: no guideway effect is "
-                   "assumed to be common to them.",
+    add(Phrase::of("%1 of %2 sessions do not state the serial number of their guideway: no guideway effect "
+                   "is assumed to be common to them.",
                    series.withoutGuideway, series.sessions.size()),
-        Phrase::of("State the serials."));
+        Phrase::of("Enter the serial numbers."));
   for (const SharedCause& cause : series.causes) {
     std::vector<std::string> apart;
     for (const std::size_t s : cause.apart) apart.push_back(series.sessions[s].name);

@@ -33,13 +33,14 @@ Words wordsOf(const Undetermined& finding) {
         Phrase::of("Look for misread values, sight more places over a longer arc, or take effects out of the "
                    "model.")};
   return {Phrase::of("The readings of all positions do not determine the circles together."),
-          Phrase::of("Look for misread values, sight more places over a longer arc.")};
+          Phrase::of("Look for misread values, or sight more places over a longer arc.")};
 }
 
 Words wordsOf(const PositionMissing& finding) {
-  return {
-      Phrase::of("There is no usable position at %1°, so no intersection.", finding.axisDeg),
-      Phrase::of("The intersection is half the distance of the arc centres at 0° and 180°: measure both.")};
+  return {Phrase::of("There is no usable position at %1°, so the intersection cannot be computed.",
+                     finding.axisDeg),
+          Phrase::of("The intersection is half the distance of the arc centres at 0° and 180°: measure both "
+                     "positions.")};
 }
 
 Words wordsOf(const RadiiDiffer& finding) {
@@ -47,7 +48,7 @@ Words wordsOf(const RadiiDiffer& finding) {
               "The radii of the one rigid arc at 0° and 180° differ by %1 mm, more than their noise allows "
               "(%2 mm at 0.1 % risk).",
               threeDecimals(finding.difference), threeDecimals(finding.bound)),
-          Phrase::of("Look for a cause outside the model, such as a plane off the axis.")};
+          Phrase::of("Look for a cause outside the model, such as an arc plane offset from the axis.")};
 }
 
 Words wordsOf(const CentresDiffer& finding) {
@@ -55,7 +56,8 @@ Words wordsOf(const CentresDiffer& finding) {
               "Along the axis the centres at 0° and 180° differ by %1 mm, more than readings and zeros allow "
               "(%2 mm at 0.1 % risk).",
               threeDecimals(finding.difference), threeDecimals(finding.bound)),
-          Phrase::of("Look for a knock or a drift since a zero, or play along the axis.")};
+          Phrase::of(
+              "Look for a knocked tripod or a drift since the pointing zero, or for play along the axis.")};
 }
 
 Words wordsOf(const KnownRadiusContradicted& finding) {
@@ -76,7 +78,7 @@ Words wordsOf(const KnownOfNothing& finding) {
   const std::string effect = quotation(finding.effect), unit = quotation(finding.unit);
   return {finding.parameter.empty()
               ? Phrase::of("The known size of %1 in %2 matches no entry of the catalogue.", effect, unit)
-              : Phrase::of("The known size of %1, %2, in %3 matches no entry of the catalogue.", effect,
+              : Phrase::of("The known size of %1 (%2) in %3 matches no entry of the catalogue.", effect,
                            quotation(finding.parameter), unit),
           Phrase::of("Name the effect, its parameter (if it has two) and the unit as in the catalogue; until "
                      "then its plausible size is used.")};
@@ -94,7 +96,7 @@ Words wordsOf(const CorrectionsDiffer& finding) {
 Words wordsOf(const TiltsUnused&) {
   return {Phrase::of("The compensator's tilts are not used: the readings do not state whether the instrument "
                      "has already corrected for them."),
-          Phrase::of("State the corrections that were on with every reading, or none.")};
+          Phrase::of("For every reading, state which corrections were on, or state none.")};
 }
 
 Words wordsOf(const AxisMoved& finding) {
@@ -113,8 +115,9 @@ Words wordsOf(const CompensatorOff& finding) {
 }
 
 Words wordsOf(const PlanarRelation&) {
-  return {Phrase::of("The model assumes that the vertical circle reads y/L, which no theodolite does."),
-          Phrase::of("Set the vertical angle to exact, unless the planar relation is to be studied.")};
+  return {
+      Phrase::of("The model assumes that the vertical circle reads y/L, which no theodolite does."),
+      Phrase::of("Set the relation of the vertical angle to “exact”, unless you study the planar relation.")};
 }
 
 }  // namespace alidade

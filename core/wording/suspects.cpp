@@ -82,14 +82,14 @@ std::string sentenceOf(const Proposal& proposal) {
                       (change.typed.empty() ? Phrase::of("(empty)") : shortened(change.typed, longestTyped)) +
                       " → " + change.text);
   }
-  return Phrase::of("%1: %2; residual then %3.", listed(changes), slipName(proposal.slip),
+  return Phrase::of("%1: %2; the residual becomes %3.", listed(changes), slipName(proposal.slip),
                     signedSize(proposal.residual));
 }
 
 std::string faultOf(const Suspect& suspect) {
   if (suspect.where.field == "face") return Phrase::of("the other face");
   return std::isfinite(suspect.size.radians()) ? Phrase::of("off by %1", signedSize(suspect.size))
-                                               : Phrase::of("no angle");
+                                               : Phrase::of("not an angle");
 }
 
 std::string intentionOf(const Suspect& suspect) {

@@ -151,7 +151,7 @@ std::string doubtText(const Diagnosis* diagnosis) {
   const std::string doubt = chance < probable ? "" : unexplainedText(*diagnosis);
   if (sigma < noticeable * diagnosis->measured->estimate.sigma) return doubt;
   const std::string spread = Phrase::of(
-      "Misclosures without a catalogued cause add ± %1 mm (1σ); verdict and probability include it.",
+      "Misclosures without a catalogued cause add ± %1 mm (1σ); verdict and probability include this amount.",
       displayText(sigma, decimalsFor(sigma)));
   return inTurn(doubt, spread);
 }

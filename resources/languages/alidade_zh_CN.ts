@@ -2675,8 +2675,8 @@ Sealed by:</source>
         <translation>缺失：%1</translation>
     </message>
     <message>
-        <source>is missing: this is no session file; a session file contains &quot;format&quot;: &quot;alidade-session&quot;</source>
-        <translation>缺失：这不是测量记录文件，测量记录文件含有 &quot;format&quot;: &quot;alidade-session&quot;</translation>
+        <source>is missing, so this is no session file: choose a file with &quot;format&quot;: &quot;alidade-session&quot;</source>
+        <translation>缺失，因此这不是测量记录文件：请选择含 &quot;format&quot;: &quot;alidade-session&quot; 的文件</translation>
     </message>
     <message>
         <source>add &quot;version&quot;: 1</source>
@@ -3068,12 +3068,12 @@ Sealed by:</source>
         <translation>修订 %1 于 %2 UTC 由 %3 封存</translation>
     </message>
     <message>
-        <source>%1; one change since: a revision that nobody has sealed.</source>
-        <translation>%1；此后有一处更改：尚无人封存的修订。</translation>
+        <source>%1; one change since: the current revision is not sealed.</source>
+        <translation>%1；此后有一处更改：当前修订尚未封存。</translation>
     </message>
     <message>
-        <source>%1; %2 changes since: a revision that nobody has sealed.</source>
-        <translation>%1；此后有 %2 处更改：尚无人封存的修订。</translation>
+        <source>%1; %2 changes since: the current revision is not sealed.</source>
+        <translation>%1；此后有 %2 处更改：当前修订尚未封存。</translation>
     </message>
     <message>
         <source>%1 and unchanged since.</source>
@@ -3156,32 +3156,32 @@ Sealed by:</source>
         <translation>所有轴位的读数不能共同确定圆。</translation>
     </message>
     <message>
-        <source>Look for misread values, sight more places over a longer arc.</source>
-        <translation>请查找误读，在更长的弧段上照准更多位置。</translation>
+        <source>Look for misread values, or sight more places over a longer arc.</source>
+        <translation>请查找误读，或在更长的弧段上照准更多位置。</translation>
     </message>
     <message>
-        <source>There is no usable position at %1°, so no intersection.</source>
-        <translation>%1° 没有可用的轴位，因此没有相交度。</translation>
+        <source>There is no usable position at %1°, so the intersection cannot be computed.</source>
+        <translation>%1° 没有可用的轴位，因此无法计算相交度。</translation>
     </message>
     <message>
-        <source>The intersection is half the distance of the arc centres at 0° and 180°: measure both.</source>
-        <translation>相交度是 0° 和 180° 两圆心距离的一半：请测量两者。</translation>
+        <source>The intersection is half the distance of the arc centres at 0° and 180°: measure both positions.</source>
+        <translation>相交度是 0° 和 180° 两圆心距离的一半：请测量两个轴位。</translation>
     </message>
     <message>
         <source>The radii of the one rigid arc at 0° and 180° differ by %1 mm, more than their noise allows (%2 mm at 0.1 % risk).</source>
         <translation>同一刚性圆弧在 0° 和 180° 的半径相差 %1 mm，超过其噪声所允许的范围（0.1 % 风险下为 %2 mm）。</translation>
     </message>
     <message>
-        <source>Look for a cause outside the model, such as a plane off the axis.</source>
-        <translation>请查找模型之外的原因，例如平面偏离轴。</translation>
+        <source>Look for a cause outside the model, such as an arc plane offset from the axis.</source>
+        <translation>请查找模型之外的原因，例如圆弧平面偏离回转轴。</translation>
     </message>
     <message>
         <source>Along the axis the centres at 0° and 180° differ by %1 mm, more than readings and zeros allow (%2 mm at 0.1 % risk).</source>
         <translation>沿轴方向 0° 和 180° 的圆心相差 %1 mm，超过读数和零位所允许的范围（0.1 % 风险下为 %2 mm）。</translation>
     </message>
     <message>
-        <source>Look for a knock or a drift since a zero, or play along the axis.</source>
-        <translation>请查找照准零位以来的碰动或漂移，或沿轴的间隙。</translation>
+        <source>Look for a knocked tripod or a drift since the pointing zero, or for play along the axis.</source>
+        <translation>请查找照准瞄准零位以来三脚架的碰动或漂移，或沿轴的间隙。</translation>
     </message>
     <message>
         <source>The readings disagree with the known radius of %1 mm: they shift it by %2 mm; the noise of the readings and the σ of the radius allow at most %3 mm at 0.1 % risk.</source>
@@ -3204,7 +3204,7 @@ Sealed by:</source>
         <translation>%1 的已知值（单位 %2）与目录中的任何量都不符。</translation>
     </message>
     <message>
-        <source>The known size of %1, %2, in %3 matches no entry of the catalogue.</source>
+        <source>The known size of %1 (%2) in %3 matches no entry of the catalogue.</source>
         <translation>%1 的 %2 的已知值（单位 %3）与目录中的任何量都不符。</translation>
     </message>
     <message>
@@ -3216,8 +3216,8 @@ Sealed by:</source>
         <translation>模型认为竖直度盘读取 y/L，没有经纬仪如此读数。</translation>
     </message>
     <message>
-        <source>Set the vertical angle to exact, unless the planar relation is to be studied.</source>
-        <translation>请将竖直角设为“精确”（exact），除非要研究平面关系式。</translation>
+        <source>Set the relation of the vertical angle to “exact”, unless you study the planar relation.</source>
+        <translation>请将竖直角的关系式设为“精确”（exact），除非要研究平面关系式。</translation>
     </message>
     <message>
         <source>at 0° below</source>
@@ -3364,8 +3364,8 @@ Sealed by:</source>
         <translation>（空）</translation>
     </message>
     <message>
-        <source>%1: %2; residual then %3.</source>
-        <translation>%1：%2；此时残差为 %3。</translation>
+        <source>%1: %2; the residual becomes %3.</source>
+        <translation>%1：%2；改正后残差为 %3。</translation>
     </message>
     <message>
         <source>the other face</source>
@@ -3376,7 +3376,7 @@ Sealed by:</source>
         <translation>偏差 %1</translation>
     </message>
     <message>
-        <source>no angle</source>
+        <source>not an angle</source>
         <translation>不是角度</translation>
     </message>
     <message>
@@ -3472,8 +3472,8 @@ Sealed by:</source>
         <translation>不是未保存更改的记录</translation>
     </message>
     <message>
-        <source>There is no such sample</source>
-        <translation>没有这个示例</translation>
+        <source>There is no sample of this name</source>
+        <translation>没有此名称的示例</translation>
     </message>
     <message>
         <source>%1: %2</source>
@@ -3509,15 +3509,15 @@ title of a column and its cell: &quot;cannot be told from: gravity sag&quot;</ex
         <translation>%1（另有 %2 处）</translation>
     </message>
     <message>
-        <source>has angles without a unit, and in no unit do both faces add up to a full turn: put the unit into the column names, such as “horizontal [gon]”, or state it</source>
-        <translation>其角度为不带单位的数，且没有一种单位能使两个盘位之和为整周：请在列名中注明单位，如“horizontal [gon]”，或另行指明</translation>
+        <source>has angles without a unit, and no single unit lets both faces add up to a full turn: put the unit into the column names, such as “horizontal [gon]”, or choose it (--unit)</source>
+        <translation>其角度为不带单位的数，且没有唯一一种单位能使两个盘位之和为整周：请在列名中注明单位，如“horizontal [gon]”，或另行选定（--unit）</translation>
     </message>
     <message>
         <source>numbers without a unit are read as %1, since the vertical readings of both faces then add up to a full turn</source>
         <translation>不带单位的数按“%1”处理，因为这样两个盘位的竖直读数之和为整周</translation>
     </message>
     <message>
-        <source>the vertical readings are treated as elevations, as they are around 0° and 180°</source>
+        <source>the vertical readings are treated as elevations, because they are near 0° and 180°</source>
         <translation>竖直读数按高度角处理，因为它们在 0° 和 180° 附近</translation>
     </message>
     <message>
@@ -3525,8 +3525,8 @@ title of a column and its cell: &quot;cannot be told from: gravity sag&quot;</ex
         <translation>不参与的已排除行：%1</translation>
     </message>
     <message>
-        <source>has no target: name it</source>
-        <translation>没有目标：请命名</translation>
+        <source>has no target: enter its name</source>
+        <translation>没有目标：请录入目标名称</translation>
     </message>
     <message>
         <source>rows whose stated face contradicts their vertical circle: %1; the circle is used</source>
@@ -3582,14 +3582,14 @@ title of a column and its cell: &quot;cannot be told from: gravity sag&quot;</ex
     </message>
     <message>
         <source>With one target, the scatter of directions is unknown; only the vertical circle is checked.</source>
-        <translation>只有一个目标时，方向没有可比较的对象；只检查竖直度盘。</translation>
+        <translation>只有一个目标时，方向的离散未知；只检查竖直度盘。</translation>
     </message>
     <message>
         <source>Sight four targets or more, spread around the horizon.</source>
         <translation>请观测四个或更多分布于四周的目标。</translation>
     </message>
     <message>
-        <source>ISO 17123-3 asks for three rounds to four targets at least; with %1 degrees of freedom s of a direction is a rough figure.</source>
+        <source>ISO 17123-3 requires at least three rounds to four targets; with %1 degrees of freedom, s of a direction is only a rough figure.</source>
         <translation>ISO 17123-3 要求至少三个测回、四个目标；自由度为 %1 时，方向的 s 只是粗略值。</translation>
     </message>
     <message>
@@ -3601,8 +3601,8 @@ title of a column and its cell: &quot;cannot be told from: gravity sag&quot;</ex
         <translation>请检查是否把一个测回录入了多次。</translation>
     </message>
     <message>
-        <source>The index of %1 differs from zero by more than its scatter (%2): correct readings in one face for it.</source>
-        <translation>指标差 %1 与零之差超过其离散（%2）：单盘位读数需要计入它。</translation>
+        <source>The index of %1 differs from zero by more than its scatter (%2): correct readings in a single face for this index.</source>
+        <translation>指标差 %1 与零之差超过其离散（%2）：请对单盘位读数加指标差改正。</translation>
     </message>
     <message>
         <source>All targets lie at about the same elevation (%1° to %2°): a tilt of the trunnion axis is indistinguishable from collimation.</source>
@@ -3613,7 +3613,7 @@ title of a column and its cell: &quot;cannot be told from: gravity sag&quot;</ex
         <translation>请另外观测一个较陡的目标。</translation>
     </message>
     <message>
-        <source>A tilt of the trunnion axis is indistinguishable from collimation here: 30″ would show as %1 standard uncertainties, with elevations from %2° to %3°.</source>
+        <source>A tilt of the trunnion axis is indistinguishable from collimation here: with elevations from %2° to %3°, a tilt of 30″ amounts to only %1 standard uncertainties.</source>
         <translation>横轴误差在此无法与照准差区分：高度角为 %2° 至 %3° 时，30″ 的横轴误差只相当于 %1 个标准不确定度。</translation>
     </message>
     <message>
@@ -3637,7 +3637,7 @@ title of a column and its cell: &quot;cannot be told from: gravity sag&quot;</ex
         <translation>两个盘位之差与 1/D 成正比：视线偏离竖轴 %1（%2），在 %4 处看起来像 %3 的照准差。除去后照准差为 %5。</translation>
     </message>
     <message>
-        <source>An offset e of the line of sight from the axis shows as e/D and looks like collimation. These distances (%1 to %2) cannot separate the two: half a millimetre, %3 at the nearest target, would show as %4 standard uncertainties.</source>
+        <source>An offset e of the line of sight from the axis shows as e/D and looks like collimation. These distances (%1 to %2) cannot separate the two: half a millimetre, %3 at the nearest target, amounts to only %4 standard uncertainties.</source>
         <translation>视线偏离竖轴 e 时表现为 e/D，看起来像照准差；这些距离（%1 至 %2）无法区分：半毫米在最近目标处为 %3，只相当于 %4 个标准不确定度。</translation>
     </message>
     <message>
@@ -3661,48 +3661,48 @@ title of a column and its cell: &quot;cannot be told from: gravity sag&quot;</ex
         <translation>指标差每测回漂移 %1（%2）。</translation>
     </message>
     <message>
-        <source>s of a direction is not the same at stations %1 and %2 (F, %3).</source>
-        <translation>测站 %1 与 %2 的方向 s 不相同（F，%3）。</translation>
+        <source>s of a direction is not the same at stations %1 and %2 (F test, %3).</source>
+        <translation>测站 %1 与 %2 的方向 s 不相同（F 检验，%3）。</translation>
     </message>
     <message>
-        <source>s of a direction at station %1 differs from that of the others (F, %2).</source>
-        <translation>测站 %1 的方向 s 与其他测站不同（F，%2）。</translation>
+        <source>s of a direction at station %1 differs from that of the others (F test, %2).</source>
+        <translation>测站 %1 的方向 s 与其他测站不同（F 检验，%2）。</translation>
     </message>
     <message>
-        <source>s of a zenith angle is not the same at stations %1 and %2 (F, %3).</source>
-        <translation>测站 %1 与 %2 的天顶距 s 不相同（F，%3）。</translation>
+        <source>s of a zenith angle is not the same at stations %1 and %2 (F test, %3).</source>
+        <translation>测站 %1 与 %2 的天顶距 s 不相同（F 检验，%3）。</translation>
     </message>
     <message>
-        <source>s of a zenith angle at station %1 differs from that of the others (F, %2).</source>
-        <translation>测站 %1 的天顶距 s 与其他测站不同（F，%2）。</translation>
+        <source>s of a zenith angle at station %1 differs from that of the others (F test, %2).</source>
+        <translation>测站 %1 的天顶距 s 与其他测站不同（F 检验，%2）。</translation>
     </message>
     <message>
-        <source>The collimation differs between stations by more than its scatter (%1): the collimation changed, or an effect that looks like it.</source>
-        <translation>照准差在测站之间的差异超过其离散（%1）：它变动了，或有看起来像它的量变动了。</translation>
+        <source>The collimation differs between stations by more than its scatter (%1): the collimation has changed, or an indistinguishable effect has.</source>
+        <translation>照准差在测站之间的差异超过其离散（%1）：照准差发生了变化，或与其无法区分的效应发生了变化。</translation>
     </message>
     <message>
-        <source>The index differs between stations by more than its scatter (%1): it changed.</source>
-        <translation>指标差在测站之间的差异超过其离散（%1）：它变动了。</translation>
+        <source>The index differs between stations by more than its scatter (%1): the index changed.</source>
+        <translation>指标差在测站之间的差异超过其离散（%1）：指标差发生了变化。</translation>
     </message>
     <message>
-        <source>s of a direction, %1, is no larger than the stated %2 (χ², 95 %: s up to %3 with %4 degrees of freedom).</source>
-        <translation>方向的 s 为 %1，不大于给定的 %2（χ²，95 %：自由度为 %4 时 s 可达 %3）。</translation>
+        <source>s of a direction, %1, is not significantly larger than the stated %2 (χ² test, 95 %: s up to %3 with %4 degrees of freedom).</source>
+        <translation>方向的 s 为 %1，不显著大于给定的 %2（χ² 检验，95 %：自由度为 %4 时 s 可达 %3）。</translation>
     </message>
     <message>
-        <source>s of a direction, %1, is larger than the stated %2 (χ², 95 %: s up to %3 with %4 degrees of freedom).</source>
-        <translation>方向的 s 为 %1，大于给定的 %2（χ²，95 %：自由度为 %4 时 s 可达 %3）。</translation>
+        <source>s of a direction, %1, is significantly larger than the stated %2 (χ² test, 95 %: s up to %3 with %4 degrees of freedom).</source>
+        <translation>方向的 s 为 %1，显著大于给定的 %2（χ² 检验，95 %：自由度为 %4 时 s 可达 %3）。</translation>
     </message>
     <message>
-        <source>s of a zenith angle, %1, is no larger than the stated %2 (χ², 95 %: s up to %3 with %4 degrees of freedom).</source>
-        <translation>天顶距的 s 为 %1，不大于给定的 %2（χ²，95 %：自由度为 %4 时 s 可达 %3）。</translation>
+        <source>s of a zenith angle, %1, is not significantly larger than the stated %2 (χ² test, 95 %: s up to %3 with %4 degrees of freedom).</source>
+        <translation>天顶距的 s 为 %1，不显著大于给定的 %2（χ² 检验，95 %：自由度为 %4 时 s 可达 %3）。</translation>
     </message>
     <message>
-        <source>s of a zenith angle, %1, is larger than the stated %2 (χ², 95 %: s up to %3 with %4 degrees of freedom).</source>
-        <translation>天顶距的 s 为 %1，大于给定的 %2（χ²，95 %：自由度为 %4 时 s 可达 %3）。</translation>
+        <source>s of a zenith angle, %1, is significantly larger than the stated %2 (χ² test, 95 %: s up to %3 with %4 degrees of freedom).</source>
+        <translation>天顶距的 s 为 %1，显著大于给定的 %2（χ² 检验，95 %：自由度为 %4 时 s 可达 %3）。</translation>
     </message>
     <message>
-        <source>is missing: this is no instrument record, which says &quot;format&quot;: &quot;alidade-instrument&quot;</source>
-        <translation>缺失：这不是仪器档案，仪器档案写有 &quot;format&quot;: &quot;alidade-instrument&quot;</translation>
+        <source>is missing, so this is no instrument record: choose a file with &quot;format&quot;: &quot;alidade-instrument&quot;</source>
+        <translation>缺失，因此这不是仪器档案：请选择含 &quot;format&quot;: &quot;alidade-instrument&quot; 的文件</translation>
     </message>
     <message>
         <source>choose an instrument record</source>
@@ -3750,9 +3750,9 @@ title of a column and its cell: &quot;cannot be told from: gravity sag&quot;</ex
         <translation>请选择测量记录文件</translation>
     </message>
     <message>
-        <source>%1 is not the serial number of the record, %2: choose the record of this instrument, or correct the serial number</source>
+        <source>%1 is not the serial number in the instrument record (%2): choose the record of this instrument, or correct the serial number</source>
         <extracomment>two serial numbers in quotation marks</extracomment>
-        <translation>%1 不是仪器档案中的序列号 %2：请选择这台仪器的档案，或更正序列号</translation>
+        <translation>%1 不是仪器档案中的序列号（%2）：请选择这台仪器的档案，或更正序列号</translation>
     </message>
     <message>
         <source>The known sizes (%1) explain the gap: with them %2, and the rest is within the stated noise.</source>
@@ -3797,8 +3797,8 @@ title of a column and its cell: &quot;cannot be told from: gravity sag&quot;</ex
         <translation>χ² = %1，自由度 %2，%3</translation>
     </message>
     <message>
-        <source>%1: the values agree within their uncertainties, but change by more than their own, smaller scatter.</source>
-        <translation>%1：各值在其不确定度内一致；但相对于其自身较小的离散，可看出变化。</translation>
+        <source>%1: the values agree within their uncertainties, but their scatter is smaller and reveals a change.</source>
+        <translation>%1：各值在其不确定度内一致，但其离散更小，足以显示出变化。</translation>
     </message>
     <message>
         <source>%1: the values agree within their uncertainties.</source>
@@ -3817,8 +3817,8 @@ title of a column and its cell: &quot;cannot be told from: gravity sag&quot;</ex
         <translation>%1变化后的第一个值在 %2 至 %3 之间（95 %）。</translation>
     </message>
     <message>
-        <source>Neither a step nor a trend explains this: the uncertainties are understated, or the values are too few to show what changed.</source>
-        <translation>阶跃和趋势都不能解释：或者不确定度被低估，或者值太少，无法说明什么改变了。</translation>
+        <source>Neither a step nor a trend explains this scatter: the uncertainties are understated, or the values are too few to show what changed.</source>
+        <translation>阶跃和趋势都不能解释这种离散：或者不确定度被低估，或者值太少，无法说明什么改变了。</translation>
     </message>
     <message>
         <source>A level with only one value may be an outlier: measure once more before acting on it.</source>
@@ -3826,10 +3826,10 @@ title of a column and its cell: &quot;cannot be told from: gravity sag&quot;</ex
     </message>
     <message>
         <source>The value of %1 is an outlier: look for what was different that day, such as a misread value or another set-up, before assuming a change.</source>
-        <translation>%1 的值与其他所有值不符：在相信发生变化之前，请查找当天有何不同，例如读数有误或另一种架设。</translation>
+        <translation>%1 的值是离群值：在认定发生变化之前，请查找当天有何不同，例如误读或另一次架设。</translation>
     </message>
     <message>
-        <source>The values wander: values close in time agree better than distant ones, and neither steps nor a trend explain this as well.</source>
+        <source>The values wander: values close in time agree better than distant ones, and neither steps nor a trend explain the values equally well.</source>
         <translation>各值在游走：时间相近的比相距远的更一致，而阶跃和趋势都不能同样好地解释。</translation>
     </message>
     <message>
@@ -3850,12 +3850,12 @@ title of a column and its cell: &quot;cannot be told from: gravity sag&quot;</ex
         <translation>从 %1 到 %2，Δd 改变了 %3，%4。</translation>
     </message>
     <message>
-        <source>No change of Δd shows from %1 to %2: it is %3, %4.</source>
+        <source>No change of Δd is detectable from %1 to %2: the difference is %3, %4.</source>
         <translation>从 %1 到 %2 看不出 Δd 的变化：差为 %3，%4。</translation>
     </message>
     <message>
-        <source>%1 (T = %2 of %3 numbers, %4)</source>
-        <translation>%1（T = %2，共 %3 个数，%4）</translation>
+        <source>%1 (T = %2 from %3 quantities, %4)</source>
+        <translation>%1（T = %2，共 %3 个量，%4）</translation>
     </message>
     <message>
         <source>By the readings alone the device is congruent: (O1 − O2)/2 and the radii agree.</source>
@@ -3866,12 +3866,12 @@ title of a column and its cell: &quot;cannot be told from: gravity sag&quot;</ex
         <translation>仅按读数，设备不全等：(O1 − O2)/2 或半径不同。</translation>
     </message>
     <message>
-        <source>O1 and O2 have not moved, seen from the theodolite.</source>
-        <translation>从经纬仪看，O1 和 O2 仍在原处。</translation>
+        <source>O1 and O2 have not moved relative to the theodolite.</source>
+        <translation>O1 和 O2 相对于经纬仪没有移动。</translation>
     </message>
     <message>
-        <source>O1 and O2 have moved, seen from the theodolite, as they do after every new set-up.</source>
-        <translation>从经纬仪看，O1 和 O2 在别处；重新架设后总是如此。</translation>
+        <source>O1 and O2 have moved relative to the theodolite, as they do after every new set-up.</source>
+        <translation>O1 和 O2 相对于经纬仪发生了移动；重新架设后总是如此。</translation>
     </message>
     <message>
         <source>O1, x</source>
@@ -3946,12 +3946,12 @@ title of a column and its cell: &quot;cannot be told from: gravity sag&quot;</ex
         <translation>%1 不是数</translation>
     </message>
     <message>
-        <source>has no standard uncertainty: without one the value cannot be weighed, state it in the third column</source>
-        <translation>没有标准不确定度：没有它无法对该值加权，请写在第三列</translation>
+        <source>has no standard uncertainty, so the value cannot be weighted: enter the uncertainty in the third column</source>
+        <translation>没有标准不确定度，因此无法对该值加权：请将不确定度写在第三列</translation>
     </message>
     <message>
-        <source>the standard uncertainty %1 is not greater than 0: a value without one cannot be weighed</source>
-        <translation>标准不确定度 %1 不大于 0：没有不确定度的值无法加权</translation>
+        <source>the standard uncertainty %1 is not greater than 0: the value cannot be weighted</source>
+        <translation>标准不确定度 %1 不大于 0：无法对该值加权</translation>
     </message>
     <message>
         <source>%1 is out of range: values reach up to 1e30, uncertainties from 1e-30 to 1e30</source>
@@ -4010,15 +4010,15 @@ title of a column and its cell: &quot;cannot be told from: gravity sag&quot;</ex
         <translation>%1自身含有%2。</translation>
     </message>
     <message>
-        <source>%1 of %2 sessions do not state the serial of their instrument: no instrument effect is assumed to be common to them.</source>
+        <source>%1 of %2 sessions do not state the serial number of their instrument: no instrument effect is assumed to be common to them.</source>
         <translation>%2 份测量记录中有 %1 份未注明仪器序列号：不视其共有任何仪器效应。</translation>
     </message>
     <message>
-        <source>State the serials.</source>
-        <translation>请注明序列号。</translation>
+        <source>Enter the serial numbers.</source>
+        <translation>请录入序列号。</translation>
     </message>
     <message>
-        <source>%1 of %2 sessions do not state the serial of their guideway: no guideway effect is assumed to be common to them.</source>
+        <source>%1 of %2 sessions do not state the serial number of their guideway: no guideway effect is assumed to be common to them.</source>
         <translation>%2 份测量记录中有 %1 份未注明导轨序列号：不视其共有任何导轨效应。</translation>
     </message>
     <message>
@@ -4058,7 +4058,7 @@ title of a column and its cell: &quot;cannot be told from: gravity sag&quot;</ex
         <translation>χ² = %1，自由度 1，%2</translation>
     </message>
     <message>
-        <source>corrected by the instrument with its own calibration</source>
+        <source>the instrument&apos;s correction by its own calibration</source>
         <translation>仪器按自身的校准所作的改正</translation>
     </message>
     <message>
@@ -4074,12 +4074,12 @@ title of a column and its cell: &quot;cannot be told from: gravity sag&quot;</ex
         <translation>%1 超出范围：倾斜量的大小必须小于 3600 角秒</translation>
     </message>
     <message>
-        <source>%1 names no corrections: type words out of inclination, standing_axis, collimation and tilting_axis with blanks between, or none</source>
-        <translation>%1 不是改正项：请输入 inclination、standing_axis、collimation、tilting_axis 中的词，以空格分隔，或输入 none</translation>
+        <source>%1 names no corrections: type one or more of inclination, standing_axis, collimation and tilting_axis, separated by blanks, or the word none</source>
+        <translation>%1 不是改正项：请输入 inclination、standing_axis、collimation、tilting_axis 中的一个或多个，以空格分隔，或输入 none</translation>
     </message>
     <message>
-        <source>With the opposite sign the tilts would agree: look up the sign convention of the instrument&apos;s tilts.</source>
-        <translation>符号相反时两者即一致：请查明仪器的倾斜量以哪个方向为正。</translation>
+        <source>With the opposite sign, the tilts would agree with the readings: look up the sign convention of the instrument&apos;s tilts.</source>
+        <translation>若符号相反，倾斜量即与读数一致：请查明仪器的倾斜量以哪个方向为正。</translation>
     </message>
     <message>
         <source>The rows differ in what the instrument corrected by itself (%1), so none of these corrections is used as known.</source>
@@ -4091,10 +4091,10 @@ title of a column and its cell: &quot;cannot be told from: gravity sag&quot;</ex
     </message>
     <message>
         <source>The compensator&apos;s tilts are not used: the readings do not state whether the instrument has already corrected for them.</source>
-        <translation>补偿器的倾斜量无法使用：读数没有说明仪器是否已将其扣除。</translation>
+        <translation>补偿器的倾斜量未采用：读数没有说明仪器是否已作倾斜改正。</translation>
     </message>
     <message>
-        <source>State the corrections that were on with every reading, or none.</source>
+        <source>For every reading, state which corrections were on, or state none.</source>
         <translation>请在每个读数中注明打开了哪些改正，或注明 none。</translation>
     </message>
     <message>
@@ -4107,7 +4107,7 @@ title of a column and its cell: &quot;cannot be told from: gravity sag&quot;</ex
     </message>
     <message>
         <source>Calibrate the compensator&apos;s index. In face 2, tilts refer to the instrument&apos;s axes, which are turned by 180°.</source>
-        <translation>请校准补偿器的指标差。在盘右位置，倾斜量按随仪器转过半周的方向计。</translation>
+        <translation>请校准补偿器的指标差。盘右时，倾斜量以随仪器转过 180° 的轴系为准。</translation>
     </message>
     <message>
         <source>Done.</source>
@@ -4115,7 +4115,7 @@ title of a column and its cell: &quot;cannot be told from: gravity sag&quot;</ex
     </message>
     <message>
         <source>The instrument does not accept this parameter.</source>
-        <translation>仪器不接受这样的参数。</translation>
+        <translation>仪器不接受该参数。</translation>
     </message>
     <message>
         <source>The instrument does not know this command.</source>
@@ -4151,7 +4151,7 @@ title of a column and its cell: &quot;cannot be told from: gravity sag&quot;</ex
     </message>
     <message>
         <source>The instrument reports an internal timeout.</source>
-        <translation>仪器内部等待超时。</translation>
+        <translation>仪器报告内部超时。</translation>
     </message>
     <message>
         <source>The instrument failed to answer.</source>
@@ -4183,7 +4183,7 @@ title of a column and its cell: &quot;cannot be told from: gravity sag&quot;</ex
     </message>
     <message>
         <source>An answer was corrupted in transmission and is requested again: %1</source>
-        <translation>一个应答在途中受损，将再次询问：%1</translation>
+        <translation>一个应答在传输中损坏，将再次询问：%1</translation>
     </message>
     <message>
         <source>The instrument failed to answer %1 times.</source>
@@ -4194,16 +4194,16 @@ title of a column and its cell: &quot;cannot be told from: gravity sag&quot;</ex
         <translation>%1 没有取得读数；请重新照准。</translation>
     </message>
     <message>
-        <source>%1 Is it switched on, set to GeoCOM at this baud rate, and the right port?</source>
-        <translation>%1 仪器是否已开机、设为 GeoCOM 及此波特率，端口是否正确？</translation>
+        <source>%1 Check that the instrument is on and set to GeoCOM at this baud rate, and that the port is right.</source>
+        <translation>%1 请检查仪器是否已开机并设为 GeoCOM 及此波特率，端口是否正确。</translation>
     </message>
     <message>
         <source>a block needs both circles, words 21 and 22: put both into the recording mask of the instrument, and sight again</source>
         <translation>数据块须含两个度盘，即字 21 和 22：请将两者都设入仪器的记录格式，并重新照准</translation>
     </message>
     <message>
-        <source>The instrument did not answer. No reading was taken; sight again, or record on the instrument. Is it set to GSI at this baud rate, and the right port?</source>
-        <translation>仪器没有应答。没有取得读数；请重新照准，或在仪器上记录。仪器是否设为 GSI 及此波特率，端口是否正确？</translation>
+        <source>The instrument did not answer. No reading was taken; sight again, or record on the instrument. Check that the instrument is set to GSI at this baud rate, and that the port is right.</source>
+        <translation>仪器没有应答。没有取得读数；请重新照准，或在仪器上记录。请检查仪器是否设为 GSI 及此波特率，端口是否正确。</translation>
     </message>
     <message>
         <source>The instrument reports an error: %1. Look at its display.</source>
@@ -4223,7 +4223,7 @@ title of a column and its cell: &quot;cannot be told from: gravity sag&quot;</ex
     </message>
     <message>
         <source>A block was received twice and used once: %1</source>
-        <translation>同一数据块再次到来，只采用一次：%1</translation>
+        <translation>一个数据块收到两次，只采用一次：%1</translation>
     </message>
     <message>
         <source>More than %1 characters came without an end of line; they were dropped (%2). Do baud rate, data bits and parity match the instrument?</source>
@@ -4231,18 +4231,18 @@ title of a column and its cell: &quot;cannot be told from: gravity sag&quot;</ex
     </message>
     <message>
         <source>Only part of a line came; it was dropped (%1). Is the cable plugged in?</source>
-        <translation>只收到半行便再无下文：已丢弃（%1）。电缆是否插好？</translation>
+        <translation>只收到一行的一部分，已丢弃（%1）。电缆是否插好？</translation>
     </message>
     <message>
         <source>not stated</source>
         <translation>未说明</translation>
     </message>
     <message>
-        <source>is empty: a calibration certificate states the day of the measurement, as 2026-03-01</source>
+        <source>is empty: a calibration certificate states the day of the measurement, such as 2026-03-01</source>
         <translation>为空：校准证书须写明测量日期，如 2026-03-01</translation>
     </message>
     <message>
-        <source>%1 is no day: write it as 2026-03-01</source>
+        <source>%1 is no date: write it in the form 2026-03-01</source>
         <translation>%1 不是日期：请写成 2026-03-01 的形式</translation>
     </message>
     <message>
@@ -4254,11 +4254,11 @@ title of a column and its cell: &quot;cannot be told from: gravity sag&quot;</ex
         <translation>国家</translation>
     </message>
     <message>
-        <source>%1 is no country: write its two letters after ISO 3166-1, as DE or CN</source>
+        <source>%1 is no country: enter its two-letter code of ISO 3166-1, such as DE or CN</source>
         <translation>%1 不是国家代码：请写 ISO 3166-1 的两个字母，如 DE 或 CN</translation>
     </message>
     <message>
-        <source>where it was measured</source>
+        <source>place of performance</source>
         <translation>测量地点类别</translation>
     </message>
     <message>
@@ -4266,7 +4266,7 @@ title of a column and its cell: &quot;cannot be told from: gravity sag&quot;</ex
         <translation>%1 不是测量地点类别：请选 laboratory、customer、laboratoryBranch、customerBranch 或 other</translation>
     </message>
     <message>
-        <source>Rotatable arc guideway, its name not stated</source>
+        <source>Rotatable arc guideway, name not stated</source>
         <translation>可转动弧形导轨，名称未说明</translation>
     </message>
     <message>
@@ -4370,8 +4370,8 @@ title of a column and its cell: &quot;cannot be told from: gravity sag&quot;</ex
         <translation>%1约定方：%2</translation>
     </message>
     <message>
-        <source>By the scatter of the readings, the pointing zeros and the distance.</source>
-        <translation>按读数的离散、瞄准零位和距离。</translation>
+        <source>The uncertainty comes from the scatter of the readings, the pointing zeros and the distance.</source>
+        <translation>不确定度来自读数的离散、瞄准零位和距离。</translation>
     </message>
     <message>
         <source>Intersection Δd</source>
@@ -4402,8 +4402,8 @@ title of a column and its cell: &quot;cannot be told from: gravity sag&quot;</ex
         <translation>轴位 %1 的圆弧</translation>
     </message>
     <message>
-        <source>Centre in the plane of the arc, x right, y up, from the theodolite&apos;s centre.</source>
-        <translation>圆弧平面内的圆心，x 向右，y 向上，自经纬仪中心起。</translation>
+        <source>Centre in the plane of the arc, relative to the theodolite&apos;s centre: x to the right, y up.</source>
+        <translation>圆弧平面内的圆心，相对于经纬仪中心：x 向右，y 向上。</translation>
     </message>
     <message>
         <source>x of the centre O1</source>
@@ -4478,7 +4478,7 @@ title of a column and its cell: &quot;cannot be told from: gravity sag&quot;</ex
         <translation>滑块读数的标准不确定度</translation>
     </message>
     <message>
-        <source>Theodolite, its name not stated</source>
+        <source>Theodolite, name not stated</source>
         <translation>经纬仪，名称未说明</translation>
     </message>
     <message>
@@ -4506,11 +4506,11 @@ title of a column and its cell: &quot;cannot be told from: gravity sag&quot;</ex
         <translation>作为密钥或证书太长：请选择 PEM 文件</translation>
     </message>
     <message>
-        <source>is locked by a passphrase: state it in the environment (%1) or in a file (--sign-passphrase-file)</source>
-        <translation>受口令保护：请在环境变量（%1）或文件（--sign-passphrase-file）中给出口令</translation>
+        <source>is protected by a passphrase: state the passphrase in the environment variable %1 or in a file (--sign-passphrase-file)</source>
+        <translation>受口令保护：请在环境变量 %1 或文件（--sign-passphrase-file）中给出口令</translation>
     </message>
     <message>
-        <source>is not opened by this passphrase: check it</source>
+        <source>cannot be opened with this passphrase: check the passphrase</source>
         <translation>用此口令打不开：请核对口令</translation>
     </message>
     <message>
@@ -4526,11 +4526,11 @@ title of a column and its cell: &quot;cannot be told from: gravity sag&quot;</ex
         <translation>不是密钥 %1 的证书：请选择相互匹配的两个文件</translation>
     </message>
     <message>
-        <source>has expired (%1): sign with one that is valid</source>
+        <source>has expired (%1): sign with a valid certificate</source>
         <translation>已过期（%1）：请用有效的证书签名</translation>
     </message>
     <message>
-        <source>is not valid before %1: check the clock, or sign with another</source>
+        <source>is not valid before %1: check the clock, or sign with another certificate</source>
         <translation>在 %1 之前无效：请核对时钟，或换用其他证书</translation>
     </message>
     <message>
@@ -4542,8 +4542,8 @@ title of a column and its cell: &quot;cannot be told from: gravity sag&quot;</ex
         <translation>文件太长，无法签名</translation>
     </message>
     <message>
-        <source>is missing: this is no measurement protocol, which says &quot;format&quot;: &quot;alidade-protocol&quot;</source>
-        <translation>缺失：这不是测量方案文件，后者写有 &quot;format&quot;: &quot;alidade-protocol&quot;</translation>
+        <source>is missing, so this is no measurement protocol: choose a file with &quot;format&quot;: &quot;alidade-protocol&quot;</source>
+        <translation>缺失，因此这不是测量方案文件：请选择含 &quot;format&quot;: &quot;alidade-protocol&quot; 的文件</translation>
     </message>
     <message>
         <source>choose a measurement protocol</source>
@@ -4590,8 +4590,8 @@ title of a column and its cell: &quot;cannot be told from: gravity sag&quot;</ex
         <translation>缺少盘左（1）：读数前须在盘左照准瞄准零位，也可另加盘右</translation>
     </message>
     <message>
-        <source>%1 is no direction through the places: write there or back</source>
-        <translation>%1 不是经过各位置的方向：请写 there 或 back</translation>
+        <source>%1 is no direction through the places: write &quot;there&quot; or &quot;back&quot;</source>
+        <translation>%1 不是经过各位置的方向：请写 &quot;there&quot;（往）或 &quot;back&quot;（返）</translation>
     </message>
     <message>
         <source>must be one face, both, or both for each of two places: [1], [1, 2], [2, 1], [1, 2, 2, 1]</source>
@@ -4650,8 +4650,8 @@ title of a column and its cell: &quot;cannot be told from: gravity sag&quot;</ex
         <translation>超出允差</translation>
     </message>
     <message>
-        <source>The readings are enough: U = %1 mm, and the verdict, %2, needs %3 mm.</source>
-        <translation>读数已经足够：U = %1 mm，而判定（%2）需要 %3 mm。</translation>
+        <source>The readings are enough: U = %1 mm, and the verdict “%2” needs %3 mm.</source>
+        <translation>读数已经足够：U = %1 mm，而判定“%2”需要 %3 mm。</translation>
     </message>
     <message>
         <source>The rest of the protocol brings U from %1 to %2 mm; the verdict needs %3 mm.</source>
@@ -4754,8 +4754,8 @@ title of a column and its cell: &quot;cannot be told from: gravity sag&quot;</ex
         <translation>%1 双盘位重测：%2度盘上两盘位之差与别处不同，相差 %3（%4 σ）。</translation>
     </message>
     <message>
-        <source>%1 again, and in round %2: the way back lies %3 farther out than the way there (%4 σ).</source>
-        <translation>%1 及测回 %2 重测：返测比往测偏外 %3（%4 σ）。</translation>
+        <source>%1 again, and in round %2: in that round the place lies %3 farther out (%4 σ).</source>
+        <translation>%1 及测回 %2 重测：该测回中此位置偏外 %3（%4 σ）。</translation>
     </message>
     <message>
         <source>%1 again: its %2 reading differs from the earlier one by %3 (%4 σ). If the new reading differs too, the instrument has moved: sight the whole position again.</source>
@@ -4814,8 +4814,8 @@ title of a column and its cell: &quot;cannot be told from: gravity sag&quot;</ex
         <translation>每一位：同一种子在任何机器上给出相同的数</translation>
     </message>
     <message>
-        <source>every digit of every reading, by the SHA-256 of all: a seed gives the same session on every machine</source>
-        <translation>每个读数的每一位，以全部读数的 SHA-256 比较：同一种子在任何机器上给出相同的测量记录</translation>
+        <source>every digit of every reading, compared by SHA-256: a seed gives the same session on every machine</source>
+        <translation>每个读数的每一位，用 SHA-256 比较：同一种子在任何机器上给出相同的测量记录</translation>
     </message>
     <message>
         <source>1e-14: the quantile is worked out to 1e-16 and rounded some ten times</source>
@@ -4842,12 +4842,12 @@ title of a column and its cell: &quot;cannot be told from: gravity sag&quot;</ex
         <translation>包含因子（t）、χ² 与 F 的尾概率、正态分位数，50 位数字</translation>
     </message>
     <message>
-        <source>Angles as they are typed, at 50 digits</source>
-        <translation>按输入形式的角度，50 位数字</translation>
+        <source>Conversion of typed angles, at 50 digits</source>
+        <translation>所输入角度的换算，50 位数字</translation>
     </message>
     <message>
-        <source>Random numbers and a simulated session, written a second time</source>
-        <translation>随机数和一份模拟测量记录，由另行编写的程序给出</translation>
+        <source>Random numbers and a simulated session, by a second implementation</source>
+        <translation>随机数和一份模拟测量记录，由另一实现给出</translation>
     </message>
     <message>
         <source>Files installed with the programs</source>
@@ -4898,8 +4898,8 @@ title of a column and its cell: &quot;cannot be told from: gravity sag&quot;</ex
         <translation>它是他人在人人可写的文件夹中建立的链接：请另选名称</translation>
     </message>
     <message>
-        <source>is open to others: let its owner alone read the key (chmod 600)</source>
-        <translation>对其他用户开放：请仅允许其所有者读取该私钥（chmod 600）</translation>
+        <source>is accessible to other users: allow only its owner to read the key (chmod 600)</source>
+        <translation>其他用户可以访问：请仅允许其所有者读取该私钥（chmod 600）</translation>
     </message>
     <message>
         <source>holds the same readings as %1: counted once</source>
@@ -4970,11 +4970,11 @@ title of a column and its cell: &quot;cannot be told from: gravity sag&quot;</ex
         <translation>仪器表明有一个角度是其某项功能的结果，而非度盘读数。</translation>
     </message>
     <message>
-        <source>%1 lacks one of its parts: fill in 0 where there are none</source>
-        <translation>%1 缺少度、分、秒中的一项：没有的请填 0</translation>
+        <source>%1 lacks degrees, minutes or seconds: enter 0 for the missing part</source>
+        <translation>%1 缺少度、分、秒中的一项：请在缺少处填 0</translation>
     </message>
     <message>
-        <source>%1 has a sign within: put it before the degrees</source>
+        <source>%1 has a sign in the middle: put the sign before the degrees</source>
         <translation>%1 的正负号在中间：请将其放在度之前</translation>
     </message>
     <message>
@@ -4990,12 +4990,12 @@ title of a column and its cell: &quot;cannot be told from: gravity sag&quot;</ex
         <translation>%1 只能是 gon，因为度到 360 为止：请在列标题中写明单位，如 Hz [gon]，或选择 gon 作为单位（--unit gon）</translation>
     </message>
     <message>
-        <source>the vertical readings are treated as elevations, as some are negative</source>
+        <source>the vertical readings are treated as elevations, because some are negative</source>
         <translation>竖直度盘读数中有负值，按高度角处理</translation>
     </message>
     <message>
-        <source>the columns are named again and differently: put what follows into a separate file</source>
-        <translation>各列在此重新命名，且与前面不同：请将其后的内容另存为一个文件</translation>
+        <source>the columns have other names from here on: put the rows that follow into a separate file</source>
+        <translation>各列从此处起名称不同：请将其后各行另存为一个文件</translation>
     </message>
     <message>
         <source>angles with 60 seconds or minutes, read as the next minute or degree: %1, first in line %2</source>
@@ -5018,11 +5018,11 @@ title of a column and its cell: &quot;cannot be told from: gravity sag&quot;</ex
         <translation>另一段非 GSI 字的文本</translation>
     </message>
     <message>
-        <source>is a file of the format %1, which is not read here: export GSI, SDR, JobXML or a table (CSV) instead</source>
+        <source>is a file of the format %1, which this program does not read: export GSI, SDR, JobXML or a table (CSV) instead</source>
         <translation>是 %1 格式的文件，本程序不读取该格式：请改为导出 GSI、SDR、JobXML 或表格（CSV）</translation>
     </message>
     <message>
-        <source>is a file of the format %1, which is not read here: save its table as CSV and choose that file</source>
+        <source>is a file of the format %1, which this program does not read: save its table as CSV and choose that file</source>
         <translation>是 %1 格式的文件，本程序不读取该格式：请将其中的表格另存为 CSV，再选择该文件</translation>
     </message>
     <message>
@@ -5214,8 +5214,8 @@ title of a column and its cell: &quot;cannot be told from: gravity sag&quot;</ex
         <translation>同时有两个度盘的文件与只有一个度盘的文件不能一起检查：请逐个检查</translation>
     </message>
     <message>
-        <source>has no vertical reading and no face, 1 or 2: state the face of each row</source>
-        <translation>没有竖直读数，也没有盘位（1 为盘左，2 为盘右）：请注明每行的盘位</translation>
+        <source>has neither a vertical reading nor a face: state the face of each row, 1 or 2</source>
+        <translation>既没有竖直读数，也没有盘位：请注明每行的盘位，1（盘左）或 2（盘右）</translation>
     </message>
     <message>
         <source>Only directions were read: the collimation applies to targets near the horizon; index and zenith angles are not evaluated.</source>
@@ -5234,15 +5234,15 @@ title of a column and its cell: &quot;cannot be told from: gravity sag&quot;</ex
         <translation>请另外照准同一高度角上的近目标和远目标。</translation>
     </message>
     <message>
-        <source>The collimation differs between targets by more than its scatter (%1): tilt of the trunnion axis, distance, or the way a target is sighted. Its u comes from the targets.</source>
-        <translation>照准差在目标之间的差异大于其离散（%1）：横轴误差、距离或照准目标的方式所致。其 u 由各目标得出。</translation>
+        <source>The collimation differs between targets by more than its scatter (%1): tilt of the trunnion axis, distance, or the way a target is sighted. Its u is taken from the differences between the targets.</source>
+        <translation>照准差在目标之间的差异大于其离散（%1）：由横轴误差、距离或照准目标的方式引起。其 u 由目标之间的差异得出。</translation>
     </message>
     <message>
         <source>%1: the faces of target %2 differ by more than 2°, which is no collimation or index: check the face and the target of these lines</source>
         <translation>%1：目标 %2 的盘左与盘右相差超过 2°，不可能是照准差或指标差：请检查这些行的盘位和目标</translation>
     </message>
     <message>
-        <source>%1: the horizontal circle counts in the opposite direction of that in %2 (target %3): set the same direction in all rounds, or check them one by one</source>
+        <source>%1: the horizontal circle counts in the opposite direction to that in %2 (target %3): set the same direction in all rounds, or check them one by one</source>
         <translation>%1：水平度盘的计数方向与%2相反（目标 %3）：请在所有测回中采用同一方向，或逐一检查</translation>
     </message>
     <message>
@@ -5350,7 +5350,7 @@ title of a column and its cell: &quot;cannot be told from: gravity sag&quot;</ex
         <translation>竖直度盘分度误差</translation>
     </message>
     <message>
-        <source>the vertical circle&apos;s graduation errs twice a turn</source>
+        <source>the vertical circle&apos;s graduation error has two periods per turn</source>
         <translation>竖直度盘分度误差每周变化两次（二次谐波）</translation>
     </message>
     <message>
@@ -5412,8 +5412,8 @@ title of a column and its cell: &quot;cannot be told from: gravity sag&quot;</ex
         <translation>%1 不是瞄准零位所照准的对象：请选择 mark、normal 或 unknown</translation>
     </message>
     <message>
-        <source>%1 lies %2° off the horizon, steeper than the arc can be sighted: check the degrees and the face</source>
-        <translation>%1 偏离水平方向 %2°，比能够照准圆弧的方向更陡：请检查度数和盘位</translation>
+        <source>%1 is %2° away from the horizon, too steep for a sighting of the arc: check the degrees and the face</source>
+        <translation>%1 偏离水平方向 %2°，对照准圆弧而言过陡：请检查度数和盘位</translation>
     </message>
     <message>
         <source>%1 (%2 periods in a turn)</source>
@@ -5553,8 +5553,8 @@ title of a column and its cell: &quot;cannot be told from: gravity sag&quot;</ex
         <translation>差距确实存在且目录中没有效应可以解释的概率：%1。</translation>
     </message>
     <message>
-        <source>Misclosures without a catalogued cause add ± %1 mm (1σ); verdict and probability include it.</source>
-        <translation>没有目录内原因的闭合差另增加 ± %1 mm（1σ）；判定与概率均已计入。</translation>
+        <source>Misclosures without a catalogued cause add ± %1 mm (1σ); verdict and probability include this amount.</source>
+        <translation>没有目录内原因的闭合差另增加 ± %1 mm（1σ）；判定与概率均已计入这一数值。</translation>
     </message>
     <message>
         <source>The verdict is open. %1</source>
@@ -5601,15 +5601,15 @@ title of a column and its cell: &quot;cannot be told from: gravity sag&quot;</ex
         <translation>测量方案完成时，仅拟合 Δd 的 U 为 %1 mm。</translation>
     </message>
     <message>
-        <source>The base columns take up all %1 residuals: leave some of the columns out.</source>
-        <translation>base 列已占用全部 %1 个残差：请去掉一些列。</translation>
+        <source>The base columns leave no degree of freedom in the %1 residuals: leave out some of the columns.</source>
+        <translation>base 列使 %1 个残差没有剩余自由度：请去掉一些列。</translation>
     </message>
     <message>
         <source>The table has %1 rows of residuals: forms need at least %2.</source>
         <translation>表中有 %1 行残差：求形式至少需要 %2 行。</translation>
     </message>
     <message>
-        <source>Line %1: the column %2 is there twice. Remove one of them.</source>
+        <source>Line %1: the column %2 occurs twice. Remove one of them.</source>
         <translation>第 %1 行：列 %2 出现两次。请删除其中一列。</translation>
     </message>
     <message>
@@ -5705,8 +5705,8 @@ title of a column and its cell: &quot;cannot be told from: gravity sag&quot;</ex
         <translation>形式：%1（概率 %2）。</translation>
     </message>
     <message>
-        <source>These readings cannot tell it from: %1.</source>
-        <translation>这些读数无法将其与下列区分：%1。</translation>
+        <source>These readings cannot distinguish the form from: %1.</source>
+        <translation>这些读数无法将该形式与下列区分：%1。</translation>
     </message>
     <message>
         <source>a session without a title</source>
@@ -5721,31 +5721,31 @@ title of a column and its cell: &quot;cannot be told from: gravity sag&quot;</ex
         <translation>见于 %2 的 %1</translation>
     </message>
     <message>
-        <source>The formula has no finite value on these readings in %1 of %2 cases: it counts as 0 there.</source>
-        <translation>对这些读数，公式在 %2 个值中有 %1 个不是有限值：该处按 0 计。</translation>
+        <source>In %1 of %2 evaluations at these readings, the formula has no finite value: 0 is used instead.</source>
+        <translation>在这些读数处对公式的 %2 次求值中有 %1 次不是有限值：该处按 0 计。</translation>
     </message>
     <message>
         <source>This effect is undetectable here, as the fit absorbs it: its trace is %1 σ per %2.</source>
         <translation>此效应在此无法检出，因为拟合将其吸收：每 %2 的痕迹为 %1 σ。</translation>
     </message>
     <message>
-        <source>This equals %1 of the catalogue: these readings cannot distinguish the two.</source>
-        <translation>这已是目录中的%1：这些读数无法区分二者。</translation>
+        <source>This effect has nearly the same trace as %1 of the catalogue: these readings cannot distinguish the two.</source>
+        <translation>此效应的痕迹与目录中的%1几乎相同：这些读数无法区分二者。</translation>
     </message>
     <message>
         <source>Table</source>
         <translation>表格</translation>
     </message>
     <message>
-        <source>is missing: this is no effect&apos;s file, which says &quot;format&quot;: &quot;alidade-effect&quot;</source>
-        <translation>缺失：这不是效应文件，此类文件含 &quot;format&quot;: &quot;alidade-effect&quot;</translation>
+        <source>is missing, so this is no effect file: choose a file with &quot;format&quot;: &quot;alidade-effect&quot;</source>
+        <translation>缺失，因此这不是效应文件：请选择含 &quot;format&quot;: &quot;alidade-effect&quot; 的文件</translation>
     </message>
     <message>
-        <source>choose a file of an effect</source>
+        <source>choose an effect file</source>
         <translation>请选择一个效应文件</translation>
     </message>
     <message>
-        <source>%1 is no version of an effect&apos;s file: it must be %2</source>
+        <source>%1 is no version of an effect file: it must be %2</source>
         <translation>%1 不是效应文件的版本：应为 %2</translation>
     </message>
     <message>
@@ -5830,7 +5830,7 @@ title of a column and its cell: &quot;cannot be told from: gravity sag&quot;</ex
         <translation>此括号未闭合：请在其结尾处添加 )。</translation>
     </message>
     <message>
-        <source>The sign ° stands only behind a number, such as 83°.</source>
+        <source>The sign ° is allowed only after a number, such as 83°.</source>
         <translation>符号 ° 只能位于数之后，例如 83°。</translation>
     </message>
     <message>
@@ -5843,15 +5843,15 @@ title of a column and its cell: &quot;cannot be told from: gravity sag&quot;</ex
     </message>
     <message>
         <source>This is no valid number: type one up to 10^15 with a decimal point.</source>
-        <translation>这不是公式中的数：请输入不大于 10^15 的数，小数点用句点。</translation>
+        <translation>这不是有效的数：请输入不大于 10^15 的数，小数点用句点。</translation>
     </message>
     <message>
         <source>%1 is no function: there are bump, step, hinge, exponential, sin, cos, tan, exp, ln, sqrt, abs, min, max and the like.</source>
         <translation>%1 不是函数：可用 bump、step、hinge、exponential、sin、cos、tan、exp、ln、sqrt、abs、min、max 等。</translation>
     </message>
     <message>
-        <source>The readings have no temperature of their own: take another variable, such as t, the share of the session.</source>
-        <translation>读数没有各自的温度：请用另一个变量，例如 t（测量过程的时间份额）。</translation>
+        <source>The readings have no temperature of their own: take another variable, such as t, the elapsed share of the session.</source>
+        <translation>读数没有各自的温度：请用另一个变量，例如 t（测量过程已过去的时间份额）。</translation>
     </message>
     <message>
         <source>%1 cannot be an amplitude, as it has another meaning: take a letter such as A.</source>
@@ -5886,7 +5886,7 @@ title of a column and its cell: &quot;cannot be told from: gravity sag&quot;</ex
         <translation>%1 有三个自变量：请写 %1(x, at, width)。</translation>
     </message>
     <message>
-        <source>A comma stands only between the arguments of a function. Type a point in numbers.</source>
+        <source>A comma is allowed only between the arguments of a function. In numbers, type a decimal point.</source>
         <translation>逗号只能位于函数的自变量之间。数中的小数点请用句点。</translation>
     </message>
     <message>
@@ -7511,8 +7511,8 @@ Includes every catalogued effect, limited by these readings or by its plausible 
         <translation>检查逾期</translation>
     </message>
     <message>
-        <source>is missing: this is no series, which says &quot;format&quot;: &quot;alidade-series&quot;</source>
-        <translation>缺失：这不是测量系列，测量系列写有 &quot;format&quot;: &quot;alidade-series&quot;</translation>
+        <source>is missing, so this is no series: choose a file with &quot;format&quot;: &quot;alidade-series&quot;</source>
+        <translation>缺失，因此这不是测量系列：请选择含 &quot;format&quot;: &quot;alidade-series&quot; 的文件</translation>
     </message>
     <message>
         <source>choose a series of sessions</source>

@@ -106,7 +106,7 @@ TEST(FitText, TellsOneArcWithoutAnIntersection) {
   EXPECT_THAT(text, HasSubstr("O2 at 180°"));
   EXPECT_THAT(text, Not(HasSubstr("O1 at")));
   EXPECT_THAT(text, Not(HasSubstr("Δd, fit only")));
-  EXPECT_THAT(text, HasSubstr("0°, so no intersection."));
+  EXPECT_THAT(text, HasSubstr("0°, so the intersection cannot be computed."));
 }
 
 TEST(FitText, GivesTheTwoFaceTableWhereThereAreTwoFaces) {

@@ -91,8 +91,9 @@ TEST(InstrumentOption, IsRefusedInOneSentence) {
   for (const char* command : {"fit", "diagnose"}) {
     const ProgramRun run = alidadeCli({command, file, "--instrument", record});
     expectRefusal(run);
-    EXPECT_THAT(run.err,
-                HasSubstr("instrument.serial: “4712” is not the serial number of the record, “4711”"));
+    EXPECT_THAT(
+        run.err,
+        HasSubstr("instrument.serial: “4712” is not the serial number in the instrument record (“4711”)"));
   }
   const ProgramRun broken =
       alidadeCli({"fit", file, "--instrument", folder.file("b.alidade-instrument", "{}")});

@@ -92,7 +92,7 @@ TEST_F(SignatureTest, RefusesKeysAndCertificatesThatAreNoGoodAndWritesNothing) {
   refused(sign("lab.key", "lab.key"), "no certificate");
   refused(sign("locked.key", "locked.pem"), "ALIDADE_SIGN_PASSPHRASE");
   refused(sign("locked.key", "locked.pem", {}, {{"ALIDADE_SIGN_PASSPHRASE", "wrong"}}),
-          "not opened by this passphrase");
+          "cannot be opened with this passphrase");
   refused(sign("locked.key", "locked.pem", {"--sign-passphrase-file", "none"}), "none");
 }
 
@@ -143,7 +143,7 @@ TEST_F(SignatureTest, RefusesAKeyOfOursThatIsOpenToOthers) {
     std::filesystem::permissions(m_folder.path() / "lab.key", std::filesystem::perms(mode));
     const ProgramRun run = sign("lab.key", "lab.pem");
     expectRefusal(run);
-    EXPECT_THAT(run.err, HasSubstr("lab.key: is open to others"));
+    EXPECT_THAT(run.err, HasSubstr("lab.key: is accessible to other users"));
     EXPECT_FALSE(isThere("c.xml"));
   }
   std::filesystem::permissions(m_folder.path() / "lab.key", std::filesystem::perms(0400));

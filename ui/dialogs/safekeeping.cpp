@@ -38,7 +38,7 @@ struct ComparedFile {
 };
 
 ComparedFile comparedFile(const RecoveryRecord& record) {
-  if (record.path.isEmpty()) return {.inPlace = Safekeeping::tr("not saved to a file yet")};
+  if (record.path.isEmpty()) return {.state = Safekeeping::tr("not saved to a file yet")};
   const QString place = Safekeeping::tr("in %1").arg(visibleLine(QDir::toNativeSeparators(record.path)));
   const auto inPlace = [&place](const QString& more) { return listText({place, more}); };
   if (!QFileInfo(record.path).isFile())

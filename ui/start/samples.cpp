@@ -47,7 +47,7 @@ const std::vector<Sample>& allSamples() {
 
 Result<Session> readSample(const QString& name) {
   QFile file(QStringLiteral(":/samples/%1.alidade").arg(name));
-  if (!file.open(QIODevice::ReadOnly)) return Problem{Phrase::of("There is no such sample")};
+  if (!file.open(QIODevice::ReadOnly)) return Problem{Phrase::of("There is no sample of this name")};
   return readSession(file.readAll().toStdString());
 }
 

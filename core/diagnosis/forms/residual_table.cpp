@@ -59,7 +59,7 @@ class ResidualReader {
                                     "elevation_deg", "time", "leg", "face"}))
         continue;
       if (!m_places.emplace(isBase ? name : key, i).second)
-        return Problem{Phrase::of("Line %1: the column %2 is there twice. Remove one of them.", row.line,
+        return Problem{Phrase::of("Line %1: the column %2 occurs twice. Remove one of them.", row.line,
                                   quotation(name))};
       if (isBase) m_bases.push_back(name);
     }

@@ -43,8 +43,7 @@ std::string agreement(const History& history) {
                        history.degreesOfFreedom, chanceText(*history.chance));
   if (*history.chance >= leastChance && history.course != Course::Constant)
     return Phrase::of(
-        "%1: the values agree within their uncertainties, but change by more than their own, smaller "
-        "scatter.",
+        "%1: the values agree within their uncertainties, but their scatter is smaller and reveals a change.",
         chi);
   if (*history.chance >= leastChance)
     return Phrase::of("%1: the values agree within their uncertainties.", chi);
@@ -70,8 +69,8 @@ std::vector<std::string> courseSentences(const History& history, const HistoryNu
     case Course::Constant:
       if (history.chance && *history.chance < leastChance)
         sentences.push_back(
-            Phrase::of("Neither a step nor a trend explains this: the uncertainties are understated, or the "
-                       "values are too few to show what changed."));
+            Phrase::of("Neither a step nor a trend explains this scatter: the uncertainties are understated, "
+                       "or the values are too few to show what changed."));
       break;
     case Course::Steps:
       for (const HistoryStep& step : history.steps) sentences.push_back(stepSentence(history, step, numbers));
@@ -94,7 +93,7 @@ std::vector<std::string> courseSentences(const History& history, const HistoryNu
     case Course::Wander:
       sentences.push_back(
           Phrase::of("The values wander: values close in time agree better than distant ones, and neither "
-                     "steps nor a trend explain this as well."));
+                     "steps nor a trend explain the values equally well."));
       break;
   }
   return sentences;
@@ -248,13 +247,14 @@ std::vector<std::string> congruenceSentences(const std::vector<Epoch>& epochs, c
   const int decimals = decimalsFor(congruence.expanded);
   const std::string difference = lengthWithUncertainty(congruence.difference, congruence.expanded, decimals);
   std::vector<std::string> sentences;
-  sentences.push_back(congruence.hasChanged
-                          ? Phrase::of("Δd has changed from %1 to %2: by %3, %4.", first, second, difference,
-                                       chanceText(congruence.chance))
-                          : Phrase::of("No change of Δd shows from %1 to %2: it is %3, %4.", first, second,
-                                       difference, chanceText(congruence.chance)));
+  sentences.push_back(
+      congruence.hasChanged
+          ? Phrase::of("Δd has changed from %1 to %2: by %3, %4.", first, second, difference,
+                       chanceText(congruence.chance))
+          : Phrase::of("No change of Δd is detectable from %1 to %2: the difference is %3, %4.", first,
+                       second, difference, chanceText(congruence.chance)));
   const auto addTest = [&](const CongruenceTest& test, const std::string& agree, const std::string& differ) {
-    sentences.push_back(Phrase::of("%1 (T = %2 of %3 numbers, %4)",
+    sentences.push_back(Phrase::of("%1 (T = %2 from %3 quantities, %4)",
                                    test.chance >= leastChance ? agree : differ,
                                    displayText(test.statistic, 1), test.ids.size(), chanceText(test.chance)));
   };
@@ -264,8 +264,9 @@ std::vector<std::string> congruenceSentences(const std::vector<Epoch>& epochs, c
         Phrase::of("By the readings alone the device is congruent: (O1 − O2)/2 and the radii agree."),
         Phrase::of("By the readings alone the device is not congruent: (O1 − O2)/2 or the radii differ."));
   if (congruence.setUp)
-    addTest(*congruence.setUp, Phrase::of("O1 and O2 have not moved, seen from the theodolite."),
-            Phrase::of("O1 and O2 have moved, seen from the theodolite, as they do after every new set-up."));
+    addTest(
+        *congruence.setUp, Phrase::of("O1 and O2 have not moved relative to the theodolite."),
+        Phrase::of("O1 and O2 have moved relative to the theodolite, as they do after every new set-up."));
   return sentences;
 }
 

@@ -18,7 +18,8 @@ namespace fs = std::filesystem;
 
 constexpr JsonFormat seriesFormat = {
     "alidade-series",
-    PHRASE_LATER("Phrase", "is missing: this is no series, which says \"format\": \"alidade-series\""),
+    PHRASE_LATER("Phrase",
+                 "is missing, so this is no series: choose a file with \"format\": \"alidade-series\""),
     PHRASE_LATER("Phrase", "choose a series of sessions"),
     PHRASE_LATER("Phrase", "%1 is no version of a series: it must be %2")};
 

@@ -241,12 +241,11 @@ class Reader {
     }
     if (!sigma)
       return at(row, u,
-                Phrase::of("has no standard uncertainty: without one the value cannot be weighed, state it "
-                           "in the third column"));
+                Phrase::of("has no standard uncertainty, so the value cannot be weighted: enter the "
+                           "uncertainty in the third column"));
     if (!(*sigma > 0))
       return at(row, u,
-                Phrase::of("the standard uncertainty %1 is not greater than 0: a value without one cannot "
-                           "be weighed",
+                Phrase::of("the standard uncertainty %1 is not greater than 0: the value cannot be weighted",
                            displayedU(*sigma)));
     constexpr double largest = 1e30, smallest = 1e-30;  // keeps squares of weighted values finite
     const auto outOfRange = [&](const CsvCell* cell, double number) {

@@ -173,9 +173,9 @@ class CheckFiles {
       return recording;
     layout.unit = unitByFaces(recording);
     if (layout.unit == AngleUnit::Unstated)
-      return Problem{
-          Phrase::of("has angles without a unit, and in no unit do both faces add up to a full turn: put the "
-                     "unit into the column names, such as “horizontal [gon]”, or state it")};
+      return Problem{Phrase::of(
+          "has angles without a unit, and no single unit lets both faces add up to a full turn: put the unit "
+          "into the column names, such as “horizontal [gon]”, or choose it (--unit)")};
     remark(
         Phrase::of("numbers without a unit are read as %1, since the vertical readings of both faces then "
                    "add up to a full turn",
@@ -222,7 +222,7 @@ class CheckFiles {
     if (kind.empty() && areElevations(recordings)) {
       kind = "elevation";
       m_result.remarks.push_back(
-          Phrase::of("the vertical readings are treated as elevations, as they are around 0° and 180°"));
+          Phrase::of("the vertical readings are treated as elevations, because they are near 0° and 180°"));
     }
     if (kind == "elevation") m_result.circle = VerticalCircle::Elevation;
     return std::nullopt;
@@ -289,7 +289,8 @@ class CheckFiles {
     const auto refuse = [&](const RowField& field, const std::string& why) {
       return LineProblem{sighting.line, sighting.columnOf(field), why};
     };
-    if (row.point.empty()) return refuse(rowField(&Reading::point), Phrase::of("has no target: name it"));
+    if (row.point.empty())
+      return refuse(rowField(&Reading::point), Phrase::of("has no target: enter its name"));
     FaceReading reading;
     for (const auto& [field, angle] : {std::pair(&Reading::horizontal, &reading.horizontal),
                                        std::pair(&Reading::vertical, &reading.vertical)}) {
@@ -304,8 +305,9 @@ class CheckFiles {
     } else if (const auto face = statedFace(row.face, countsFromZero)) {
       reading.face = *face;
     } else {
-      return refuse(rowField(&Reading::face),
-                    Phrase::of("has no vertical reading and no face, 1 or 2: state the face of each row"));
+      return refuse(
+          rowField(&Reading::face),
+          Phrase::of("has neither a vertical reading nor a face: state the face of each row, 1 or 2"));
     }
     reading.station = m_firstStation[m_file] + sighting.station;
     const auto [target, isNew] = m_targets.try_emplace(row.point, m_result.targets.size());

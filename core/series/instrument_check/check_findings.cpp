@@ -124,11 +124,9 @@ class StationFindings {
           Phrase::of("Sight four targets or more, spread around the horizon."));
     constexpr std::size_t fewestRounds = 3, fewestTargets = 4;
     if (m_station.rounds < fewestRounds || m_station.targets < fewestTargets)
-      add(Severity::Note,
-          Phrase::of(
-              "ISO 17123-3 asks for three rounds to four targets at least; with %1 degrees of freedom s of "
-              "a direction is a rough figure.",
-              displayText(m_station.direction.dof, 0)));
+      add(Severity::Note, Phrase::of("ISO 17123-3 requires at least three rounds to four targets; with %1 "
+                                     "degrees of freedom, s of a direction is only a rough figure.",
+                                     displayText(m_station.direction.dof, 0)));
   }
 
   void reportCircles() {
@@ -154,7 +152,7 @@ class StationFindings {
     const double p = twoSidedStudent(index.value, index.u, index.dof);
     if (p < levelOfTests)
       add(Severity::Note, Phrase::of("The index of %1 differs from zero by more than its scatter (%2): "
-                                     "correct readings in one face for it.",
+                                     "correct readings in a single face for this index.",
                                      withU(index.value, index.u, "″"), probability(p)));
   }
 
@@ -169,8 +167,8 @@ class StationFindings {
                  Phrase::of("Sight a steep target as well."));
     if (!std::isfinite(m_station.causes.tiltShows) || m_station.causes.isEither) return;
     add(Severity::Note,
-        Phrase::of("A tilt of the trunnion axis is indistinguishable from collimation here: 30″ would show "
-                   "as %1 standard uncertainties, with elevations from %2° to %3°.",
+        Phrase::of("A tilt of the trunnion axis is indistinguishable from collimation here: with elevations "
+                   "from %2° to %3°, a tilt of 30″ amounts to only %1 standard uncertainties.",
                    displayText(m_station.causes.tiltShows, 1), displayText(m_station.lowestDeg, 1),
                    displayText(m_station.highestDeg, 1)),
         Phrase::of("Sight a steep target as well."));
@@ -208,7 +206,7 @@ class StationFindings {
     add(Severity::Note,
         Phrase::of("An offset e of the line of sight from the axis shows as e/D and looks like collimation. "
                    "These distances (%1 to %2) cannot separate the two: half a millimetre, %3 at the nearest "
-                   "target, would show as %4 standard uncertainties.",
+                   "target, amounts to only %4 standard uncertainties.",
                    metresText(nearest), metresText(m_station.farthestM), half,
                    displayText(m_station.causes.offsetShows, 1)));
   }
@@ -240,10 +238,10 @@ class StationFindings {
 
   void reportTargets() {
     if (m_station.targetsDifferP < levelOfTests && !m_station.causes.collimation)
-      add(Severity::Note,
-          Phrase::of("The collimation differs between targets by more than its scatter (%1): tilt of the "
-                     "trunnion axis, distance, or the way a target is sighted. Its u comes from the targets.",
-                     probability(m_station.targetsDifferP)));
+      add(Severity::Note, Phrase::of("The collimation differs between targets by more than its scatter (%1): "
+                                     "tilt of the trunnion axis, distance, or the way a target is sighted. "
+                                     "Its u is taken from the differences between the targets.",
+                                     probability(m_station.targetsDifferP)));
   }
 
   void reportCourse() {
@@ -292,21 +290,24 @@ void reportStations(const InstrumentCheck& check, std::vector<Finding>& findings
     };
     reportSample(
         sample.directionP,
-        PHRASE_LATER("Phrase", "s of a direction is not the same at stations %1 and %2 (F, %3)."),
-        PHRASE_LATER("Phrase", "s of a direction at station %1 differs from that of the others (F, %2)."));
+        PHRASE_LATER("Phrase", "s of a direction is not the same at stations %1 and %2 (F test, %3)."),
+        PHRASE_LATER("Phrase",
+                     "s of a direction at station %1 differs from that of the others (F test, %2)."));
     reportSample(
         sample.verticalP,
-        PHRASE_LATER("Phrase", "s of a zenith angle is not the same at stations %1 and %2 (F, %3)."),
-        PHRASE_LATER("Phrase", "s of a zenith angle at station %1 differs from that of the others (F, %2)."));
+        PHRASE_LATER("Phrase", "s of a zenith angle is not the same at stations %1 and %2 (F test, %3)."),
+        PHRASE_LATER("Phrase",
+                     "s of a zenith angle at station %1 differs from that of the others (F test, %2)."));
   }
   report(
       check.collimationsDifferP,
       PHRASE_LATER("Phrase",
                    "The collimation differs between stations by more than its scatter (%1): the collimation "
-                   "changed, or an effect that looks like it."));
-  report(check.indicesDifferP,
-         PHRASE_LATER("Phrase",
-                      "The index differs between stations by more than its scatter (%1): it changed."));
+                   "has changed, or an indistinguishable effect has."));
+  report(
+      check.indicesDifferP,
+      PHRASE_LATER("Phrase",
+                   "The index differs between stations by more than its scatter (%1): the index changed."));
 }
 
 }  // namespace
@@ -324,20 +325,20 @@ std::vector<Finding> checkFindings(const InstrumentCheck& check) {
   reportTest(
       check.directionTest, check.direction,
       PHRASE_LATER("Phrase",
-                   "s of a direction, %1, is no larger than the stated %2 (χ², 95 %: s up to %3 with %4 "
-                   "degrees of freedom)."),
+                   "s of a direction, %1, is not significantly larger than the stated %2 (χ² test, 95 "
+                   "%: s up to %3 with %4 degrees of freedom)."),
       PHRASE_LATER("Phrase",
-                   "s of a direction, %1, is larger than the stated %2 (χ², 95 %: s up to %3 with %4 "
-                   "degrees of freedom)."),
+                   "s of a direction, %1, is significantly larger than the stated %2 (χ² test, 95 %: s "
+                   "up to %3 with %4 degrees of freedom)."),
       findings);
   reportTest(
       check.verticalTest, check.vertical,
       PHRASE_LATER("Phrase",
-                   "s of a zenith angle, %1, is no larger than the stated %2 (χ², 95 %: s up to %3 with "
-                   "%4 degrees of freedom)."),
+                   "s of a zenith angle, %1, is not significantly larger than the stated %2 (χ² test, "
+                   "95 %: s up to %3 with %4 degrees of freedom)."),
       PHRASE_LATER("Phrase",
-                   "s of a zenith angle, %1, is larger than the stated %2 (χ², 95 %: s up to %3 with %4 "
-                   "degrees of freedom)."),
+                   "s of a zenith angle, %1, is significantly larger than the stated %2 (χ² test, 95 %: "
+                   "s up to %3 with %4 degrees of freedom)."),
       findings);
   reportStations(check, findings);
   for (const StationCheck& station : check.stations)

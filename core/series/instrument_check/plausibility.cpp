@@ -88,7 +88,7 @@ class StationPlausibility {
       const FacePair &one = before.pairs[difference->first], &two = here.pairs[difference->second];
       if (difference->isReversed)
         return Phrase::of(
-            "%1: the horizontal circle counts in the opposite direction of that in %2 (target %3): set the "
+            "%1: the horizontal circle counts in the opposite direction to that in %2 (target %3): set the "
             "same direction in all rounds, or check them one by one",
             linesOf(two), linesOf(one), targetName(two));
       return Phrase::of(

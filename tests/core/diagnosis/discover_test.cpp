@@ -105,7 +105,7 @@ TEST(Discover, SaysWhatIsWrongAndWhere) {
   EXPECT_THAT(problemOf(head + "1,0,vertical,10,20\n"), HasSubstr("Line 2: sigma_arcsec is 0"));
   EXPECT_THAT(problemOf(head + "1,2,vertical,10,95\n"), HasSubstr("elevation_deg is 95"));
   EXPECT_THAT(problemOf(head + "1,2,vertical,10\n"), HasSubstr("elevation_deg is “”"));
-  EXPECT_THAT(problemOf("circle," + head), HasSubstr("there twice"));
+  EXPECT_THAT(problemOf("circle," + head), HasSubstr("occurs twice"));
   std::string bases = "residual_arcsec,sigma_arcsec,circle,azimuth_deg,elevation_deg";
   std::string rows;
   for (int b = 0; b < 12; ++b) bases += ",base:b" + std::to_string(b);
@@ -113,7 +113,7 @@ TEST(Discover, SaysWhatIsWrongAndWhere) {
     rows += "\n1,2,vertical," + std::to_string(i) + ",20";
     for (int b = 0; b < 12; ++b) rows += b == i ? ",1" : ",0";
   }
-  EXPECT_THAT(problemOf(bases + rows + "\n"), HasSubstr("take up all 12 residuals"));
+  EXPECT_THAT(problemOf(bases + rows + "\n"), HasSubstr("no degree of freedom in the 12 residuals"));
 }
 
 }  // namespace

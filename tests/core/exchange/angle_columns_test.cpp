@@ -67,7 +67,7 @@ TEST(AngleColumns, AreProposedWithoutNames) {
 
 TEST(AngleColumns, LoseNoPart) {
   EXPECT_THAT(joinedOf("Pt,hz deg,hz min,hz sec,v deg,v min,v sec\n1,17,41,,86,12,7\n"),
-              HasSubstr("lacks one"));
+              HasSubstr("lacks degrees, minutes or seconds"));
   EXPECT_THAT(joinedOf("Pt,hz sec,v sec\n1,33,7\n"), HasSubstr("holds a part of an angle"));
   EXPECT_THAT(joinedOf("Pt,hz deg,hz sec,v deg,v sec\n1,17,33,86,7\n"),
               HasSubstr("holds a part of an angle"));
@@ -109,7 +109,7 @@ TEST(AngleColumns, HaveOneSign) {
   EXPECT_EQ(joined("−0", "12", "30"), "-0 12 30");
   EXPECT_EQ(joined("0", "-12", "30"), "-0 12 30");
   EXPECT_EQ(joined("-3", "-12", "-30"), "-3 12 30");
-  EXPECT_THAT(joined("3", "-12", "30"), HasSubstr("has a sign within"));
+  EXPECT_THAT(joined("3", "-12", "30"), HasSubstr("has a sign in the middle"));
   EXPECT_NEAR(parseAngle(joined("-0", "12", "30"))->arcseconds(), -750, 1e-9);
   const Recording recording = readCsv("Pt,Hz deg,Hz min,Hz sec,V deg,V min,V sec\n1,17,41,33,-0,12,30\n");
   EXPECT_EQ(recording.verticalCircle, "elevation") << "no zenith circle reads so";

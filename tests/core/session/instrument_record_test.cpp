@@ -67,7 +67,7 @@ TEST(InstrumentRecord, IsWrittenFromScratch) {
 TEST(InstrumentRecord, NamesWhatIsNoRecordAtAll) {
   EXPECT_EQ(sayingWith("/format", "alidade-session"),
             "format: “alidade-session” is not \"alidade-instrument\": choose an instrument record");
-  EXPECT_THAT(sayingOf(Json::object()), HasSubstr("format: is missing: this is no instrument record"));
+  EXPECT_THAT(sayingOf(Json::object()), HasSubstr("format: is missing, so this is no instrument record"));
   EXPECT_THAT(sayingWith("/version", 2), HasSubstr("version: 2 is newer"));
   EXPECT_EQ(sayingWith("/version", 0), "version: 0 is no version of an instrument record: it must be 1");
   EXPECT_THAT(sayingOf(Json::array()), HasSubstr("must be an object in braces, not a list"));

@@ -150,7 +150,7 @@ TEST(Journal, SealsWhatTheSessionSays) {
   EXPECT_NE(journalSummary(back).find("differs from what was sealed, and the journal does not record"),
             std::string::npos);
   enterInJournal(back.journal, change("88°", "89°"));
-  EXPECT_NE(journalSummary(back).find("; one change since: a revision that nobody has sealed."),
+  EXPECT_NE(journalSummary(back).find("; one change since: the current revision is not sealed."),
             std::string::npos);
 
   enterInJournal(back.journal, sealingEntry(back, "R. Roe", "2026-03-16T08:00:00Z"));

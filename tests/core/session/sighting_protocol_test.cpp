@@ -104,7 +104,8 @@ TEST(SightingProtocol, SaysWhatMeansNothingAndWhere) {
   EXPECT_THAT(sayingOfProtocolWith("/places/1/slider", "20.3"), HasSubstr("places[1].slider"));
   EXPECT_THAT(sayingOfProtocolWith("/positions/0/zeros/before", {2}), HasSubstr("lacks face 1"));
   EXPECT_THAT(sayingOfProtocolWith("/positions/0/zeros/after", {1, 1}), HasSubstr("names a face twice"));
-  EXPECT_THAT(sayingOfProtocolWith("/positions/0/rounds/0/way", "up"), HasSubstr("write there or back"));
+  EXPECT_THAT(sayingOfProtocolWith("/positions/0/rounds/0/way", "up"),
+              HasSubstr("write \"there\" or \"back\""));
   EXPECT_THAT(sayingOfProtocolWith("/positions/0/rounds/0/faces", {1, 1}), HasSubstr("[1, 2, 2, 1]"));
   EXPECT_THAT(sayingOfProtocolWith("/positions/0/rounds/0/faces", {3}), HasSubstr("other than a face"));
   EXPECT_THAT(sayingOfProtocolWith("/positions/0/rounds", Json::array()), HasSubstr("rounds: is empty"));

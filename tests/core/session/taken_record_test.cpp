@@ -74,10 +74,9 @@ TEST(TakenRecord, IsRefusedOfAnotherInstrument) {
   const Session before = session;
   const auto problem = takeRecord(session, recordOfT1(), "r");
   ASSERT_TRUE(problem);
-  EXPECT_EQ(
-      problem->text(),
-      "instrument.serial: “4712” is not the serial number of the record, “4711”: choose the record of this "
-      "instrument, or correct the serial number");
+  EXPECT_EQ(problem->text(),
+            "instrument.serial: “4712” is not the serial number in the instrument record (“4711”): choose "
+            "the record of this instrument, or correct the serial number");
   EXPECT_EQ(session, before);
 }
 

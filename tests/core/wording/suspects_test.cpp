@@ -29,7 +29,7 @@ TEST(SuspectInWords, SaysByHowMuch) {
   EXPECT_THAT(sentenceOf(suspectAt("vertical", Angle::fromDegrees(1))), HasSubstr("off by +1°"));
   EXPECT_THAT(sentenceOf(suspectAt("face", Angle::fromDegrees(180))), HasSubstr("face: the other face."));
   const Angle none = Angle::fromRadians(std::numeric_limits<double>::quiet_NaN());
-  EXPECT_THAT(sentenceOf(suspectAt("vertical", none)), HasSubstr("vertical: no angle."));
+  EXPECT_THAT(sentenceOf(suspectAt("vertical", none)), HasSubstr("vertical: not an angle."));
 }
 
 TEST(SuspectInWords, NamesRoundAndFaceWhereTheyAreNotOne) {
@@ -44,19 +44,19 @@ TEST(SuspectInWords, SaysWhatWasProbablyMeant) {
   suspect.proposals = {{.slip = EntrySlip::DigitsSwapped,
                         .changes = {{cell(4, "vertical"), "88°16'49\"", "88°61'49\""}},
                         .residual = Angle::fromArcseconds(1.2)}};
-  EXPECT_THAT(sentenceOf(suspect),
-              EndsWith("Probably meant: Vertical 88°61'49\" → 88°16'49\": two digits swapped; residual then "
-                       "+1.2″."));
+  EXPECT_THAT(
+      sentenceOf(suspect),
+      EndsWith("Probably meant: Vertical 88°61'49\" → 88°16'49\": two digits swapped; the residual becomes "
+               "+1.2″."));
 }
 
 TEST(SuspectInWords, NamesEveryCellOfAProposal) {
   const Proposal proposal{.slip = EntrySlip::NeighbouringRow,
                           .changes = {{cell(4, "horizontal"), "2°", "1°"}, {cell(5, "horizontal"), "1°", ""}},
                           .residual = Angle()};
-  EXPECT_EQ(
-      sentenceOf(proposal),
-      "Horizontal 1° → 2°, horizontal of row 6 (empty) → 1°: swapped with the neighbouring row; residual "
-      "then +0.0″.");
+  EXPECT_EQ(sentenceOf(proposal),
+            "Horizontal 1° → 2°, horizontal of row 6 (empty) → 1°: swapped with the neighbouring row; the "
+            "residual becomes +0.0″.");
 }
 
 TEST(SuspectInWords, FindingNamesThemAll) {

@@ -136,7 +136,7 @@ TEST_F(SafekeepingTest, OffersASessionThatIsInNoFile) {
   const QString wanted = QStringLiteral("second");
   const int index = open->dialogs->offers[0][0].name == wanted ? 0 : 1;
   EXPECT_EQ(open->dialogs->offers[0][index].name, wanted);
-  EXPECT_THAT(open->dialogs->offers[0][index].told.toStdString(), HasSubstr("not saved to a file yet"));
+  EXPECT_THAT(open->dialogs->offers[0][index].details.toStdString(), HasSubstr("not saved to a file yet"));
   open->dialogs->recoveries = {{}, {Choice::Recover, index}};
   EXPECT_TRUE((*open)->offerRecovery());
   EXPECT_EQ((*open)->document().session().title, "second");
@@ -195,8 +195,9 @@ TEST_F(SafekeepingTest, TellsWhatBecameOfTheFileMeanwhile) {
   ASSERT_TRUE(again.open(QIODevice::WriteOnly));
   again.write(QByteArray::fromStdString(writeSession(changed)));
   again.close();
-  EXPECT_THAT(told().told.toStdString(), HasSubstr("which has changed since Alidade last read or saved it"));
-  EXPECT_EQ(told().difference.count, 2u) << "title and notes";
+  EXPECT_THAT(offered().details.toStdString(),
+              HasSubstr("which has changed since Alidade last read or saved it"));
+  EXPECT_EQ(offered().difference.count, 2u) << "title and notes";
 }
 
 // A record that equals the file is cleared whatever its age, since there is no choice to make.

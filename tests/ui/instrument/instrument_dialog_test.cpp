@@ -133,7 +133,7 @@ TEST(InstrumentDialog, TestsAgainstWhatIsStated) {
   bench.open(samplePath(sample));
   bench.dialog.findChild<QDoubleSpinBox*>()->setValue(0.2);
   bench.waitUntilIdle();
-  EXPECT_THAT(bench.said(), HasSubstr("is larger than the stated 0.2″"));
+  EXPECT_THAT(bench.said(), HasSubstr("is significantly larger than the stated 0.2″"));
 }
 
 TEST(InstrumentDialog, WritesWhatTheConsolePrints) {

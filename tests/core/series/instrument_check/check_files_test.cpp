@@ -70,7 +70,8 @@ TEST(CheckFiles, FindTheUnitByWhatBothFacesAddUpTo) {
   EXPECT_NEAR(firstOf("88.1234", "311.8770"), 88.1234 * 0.9, 1e-9);
   EXPECT_NEAR(firstOf("88.1649", "271.4311"), 88 + 16 / 60.0 + 49 / 3600.0, 1e-9);
   EXPECT_NEAR(firstOf("88.6670", "271.3335"), 88.6670, 1e-9);
-  EXPECT_THAT(problemOf("target,hz,v\nA,10.2030,88.1\nB,12.1,91.4\n"), HasSubstr("in no unit do both faces"));
+  EXPECT_THAT(problemOf("target,hz,v\nA,10.2030,88.1\nB,12.1,91.4\n"),
+              HasSubstr("no single unit lets both faces"));
   const auto stated = readOf("target,hz,v\nA,10.2030,88.1\n", {.unit = AngleUnit::Degrees});
   ASSERT_TRUE(stated);
   EXPECT_NEAR(stated->readings[0].vertical.degrees(), 88.1, 1e-12);

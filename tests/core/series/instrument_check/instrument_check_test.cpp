@@ -54,11 +54,11 @@ TEST(InstrumentCheck, TestsAgainstAStatedSigma) {
   EXPECT_EQ(wide.direction.dof, 24);
   EXPECT_NEAR(wide.directionTest->limit, 2 * 1.2318, 1e-3);
   EXPECT_TRUE(wide.directionTest->isWithin());
-  EXPECT_THAT(sentences(wide), HasSubstr("is no larger than the stated 2″"));
+  EXPECT_THAT(sentences(wide), HasSubstr("is not significantly larger than the stated 2″"));
   const InstrumentCheck narrow = checkInstrument(rounds, {.sigmaDirection = 0.3});
   EXPECT_FALSE(narrow.directionTest->isWithin());
   EXPECT_FALSE(narrow.verticalTest);
-  EXPECT_THAT(sentences(narrow), HasSubstr("is larger than the stated 0.3″"));
+  EXPECT_THAT(sentences(narrow), HasSubstr("is significantly larger than the stated 0.3″"));
 }
 
 TEST(InstrumentCheck, TellsSamplesOfTwoKindsApart) {

@@ -91,7 +91,7 @@ TEST(JournalPage, SealingSavesAndTellsOfLaterChanges) {
   EXPECT_FALSE(bench.open->document().isModified());
   EXPECT_THAT(bench.summary(), HasSubstr(" UTC by R. Roe and unchanged since."));
   bench.change();
-  EXPECT_THAT(bench.summary(), HasSubstr("one change since: a revision that nobody has sealed."));
+  EXPECT_THAT(bench.summary(), HasSubstr("one change since: the current revision is not sealed."));
 }
 
 TEST(JournalPage, IsPrinted) {
