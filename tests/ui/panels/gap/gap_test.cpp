@@ -118,7 +118,7 @@ INSTANTIATE_TEST_SUITE_P(Trials, GapVerdict,
                                          Expected{lobingAndDriftTrial, "2 causes"},
                                          Expected{cleanTrial, "No gap: within the noise"},
                                          Expected{relationTrial, "One cause: the vertical angle relation"}),
-                         [](const auto& info) { return "Of" + std::string(info.param.trial); });
+                         [](const auto& test) { return "Of" + std::string(test.param.trial); });
 
 TEST(Gap, TellsAnUnknownCauseBesideKnownOnes) {
   Diagnosis diagnosis;
