@@ -5,8 +5,8 @@
 
 namespace alidade {
 
-/// A plane angle. Stored in radians and wrapped only by `wrapped`: 370° stays 370° until then. Named
-/// factories and readers keep the unit visible where a number enters or leaves.
+/// A plane angle. Its value is in radians. Only `wrapped` reduces it by whole turns: 370° stays 370° until
+/// then. Named factories and readers keep the unit visible where a number enters or leaves.
 class Angle {
  public:
   constexpr Angle() = default;
@@ -32,8 +32,8 @@ class Angle {
   double m_radians = 0;
 };
 
-/// The angle that differs from `angle` by whole turns and lies in [centre − 180°, centre + 180°).
-/// The program's only wrap-around: centre 0° gives differences, centre 180° gives circle readings.
+/// The angle that differs from `angle` by whole turns and lies in [centre − 180°, centre + 180°). No other
+/// function wraps angles. Use the centre 0° for differences, 180° for circle readings.
 Angle wrapped(Angle angle, Angle centre = {});
 
 }  // namespace alidade

@@ -29,7 +29,7 @@ bool isWhole(std::string_view text) {
   return !text.empty() && std::all_of(text.begin(), text.end(), isDigit);
 }
 
-/// Digits with at most one decimal sign between them.
+/// Are these digits with at most one decimal sign between them?
 bool isDecimal(std::string_view text) {
   const auto sign = text.find_first_of(".,");
   if (sign == std::string_view::npos) return isWhole(text);
@@ -53,7 +53,7 @@ Parts split(std::string_view text, char separator) {
   }
 }
 
-/// Chinese units replaced by signs: 107度12分23秒 becomes 107°12'23".
+/// Replaces Chinese units by signs: 107度12分23秒 becomes 107°12'23".
 std::string withMarks(std::string text) {
   for (const auto& [word, sign] : {std::pair("度", degreeSign), std::pair("分", std::string_view("'")),
                                    std::pair("秒", std::string_view("\""))})
@@ -106,7 +106,7 @@ class AngleReader {
     return make(m_negative ? -*value : *value);
   }
 
-  /// 341°52'24", with each mark after its number; the last mark may be missing.
+  /// Reads an angle such as 341°52'24". Each mark follows its number; the last mark may be missing.
   Result<Angle> readSigned() const {
     std::string_view rest = m_body;
     Parts parts;
@@ -121,8 +121,8 @@ class AngleReader {
     return fromParts(parts);
   }
 
-  /// The start and end of `mark` in `rest`; both are the end of `rest` if it is missing. Two primes are a
-  /// second mark, never a minute mark.
+  /// The start and end of `mark` in `rest`; both are the end of `rest` if the mark is missing. Two primes
+  /// also mark seconds.
   static std::pair<std::size_t, std::size_t> markAt(std::string_view rest, std::string_view mark) {
     const auto at = rest.find(mark);
     if (mark == "\"" && at == std::string_view::npos) {
@@ -178,7 +178,7 @@ class AngleReader {
         quoted(), asDegrees);
   }
 
-  /// Parts separated by one kind of separator.
+  /// Reads parts that are separated by one kind of separator.
   Result<Angle> readSeparated() const {
     std::string separators;
     for (const char c : std::string_view("-:/")) {
@@ -228,7 +228,7 @@ class AngleReader {
   bool m_negative = false;
 };
 
-/// Removes one to `most` digits from the text.
+/// Removes the leading digits and returns their value; absent if there are none or more than `most`.
 std::optional<int> takeDigits(std::string_view& text, std::size_t most) {
   const std::size_t count = std::min(text.find_first_not_of("0123456789"), text.size());
   if (count == 0 || count > most) return std::nullopt;

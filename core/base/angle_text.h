@@ -11,24 +11,23 @@ namespace alidade {
 /// Reads an angle as people write and type it. Accepted, with an optional leading sign (+, - or −), a point
 /// or comma as decimal sign, and blanks anywhere between the parts:
 ///
-///   341°52'24" 341°52′24.5″ 341°52' 341° with signs: ° or º ˚ ◦ ∘ ⁰; ' ′ ’ ´ ` ʹ; " ″ ” “ ʺ or
-///                                                     two primes; also 341度52分24秒
-///   341 52 24 341-52-24.5 341:52:24 341/52/24 341.52.24 parts separated by one kind of separator
-///   341 52 degrees and minutes
-///   3415224 3415224.5 881649 5 to 7 consecutive digits, as on a number pad
-///   341 whole degrees, at most three digits
-///   341.873333° 341.873333deg decimal degrees, marked as such
-///   379.859gon 379.859g gon
+///   with signs: 341°52'24", 341°52′24.5″, 341°52', 341°, 341度52分24秒; the signs may be ° º ˚ ◦ ∘ ⁰ for
+///     degrees, ' ′ ’ ´ ` ʹ for minutes, and " ″ ” “ ʺ or two primes for seconds
+///   with one kind of separator: 341 52 24, 341-52-24.5, 341:52:24, 341/52/24, 341.52.24
+///   5 to 7 consecutive digits, as on a number pad: 3415224, 3415224.5, 881649
+///   whole degrees, at most three digits: 341
+///   decimal degrees with their unit: 341.873333°, 341.873333deg
+///   gon with their unit: 379.859gon, 379.859g
 ///
 /// Minutes and seconds are in [0, 60); only the last part may have decimals. A bare decimal such as
-/// `341.5224` is refused: it may mean degrees or degrees.minutes-seconds. Fullwidth digits and signs of input
-/// methods are read as their ASCII forms; digits of other scripts are refused. The value is not wrapped and
-/// its range is not checked.
+/// `341.5224` may mean degrees or degrees.minutes-seconds and is refused; so are `341 52` and four digits.
+/// Fullwidth digits and signs of input methods are read as their ASCII forms; digits of other scripts are
+/// refused. The value is not wrapped and its range is not checked.
 Result<Angle> parseAngle(std::string_view text);
 
 enum class AngleSigns {
-  Typewriter,  ///< 341°52'24"  as in session files
-  Primes,      ///< 341°52′24″  for display
+  Typewriter,  ///< 341°52'24", as in session files
+  Primes,      ///< 341°52′24″, for display
 };
 
 /// Degrees, minutes and seconds with `decimals` (0…9) places of seconds, rounded so that all parts stay below
@@ -36,7 +35,7 @@ enum class AngleSigns {
 /// leading − (a hyphen with Typewriter). Not wrapped: wrap circle readings first.
 std::string formatDms(Angle angle, int decimals = 0, AngleSigns signs = AngleSigns::Primes);
 
-/// Whether the angles are equal up to the rounding of their texts, and to whole turns.
+/// Are the angles equal, apart from whole turns and the rounding of their texts, below 10⁻⁶ arcseconds?
 bool areEqualAsTyped(Angle a, Angle b);
 
 }  // namespace alidade

@@ -19,8 +19,8 @@ namespace {
 
 constexpr int mostTries = 100;
 
-/// Writes one file: first to a temporary file, which then replaces the target. Each step returns the system's
-/// error number, 0 on success.
+/// Writes one file, directly or through a temporary file that replaces the target. A step that returns an int
+/// returns the system's error number, 0 on success.
 class Passage {
  public:
   Passage(const FileContent& content, FileTarget target, const FileCalls& calls)
@@ -52,8 +52,8 @@ class Passage {
   FileContent m_content;
   FileTarget m_target;
   const FileCalls& m_calls;
-  std::string m_temporary;  ///< empty: there is none
-  std::string m_kept;       ///< another name of the replaced file; empty: it has none
+  std::string m_temporary;  ///< path of the temporary file; empty: none
+  std::string m_kept;       ///< hard link to the replaced file; empty: none
   bool m_hasPlace = false;
 };
 

@@ -20,20 +20,20 @@ struct FileContent {
 /// Writes the file completely or not at all: into a temporary file in the same folder, which replaces the
 /// file once every byte is on the disk. Until then, and if a step fails, the old file stays. A replaced
 /// file's permissions are kept, and its group if the system allows it; its other hard links keep the old
-/// bytes. A link stays, and its target is replaced. Terminals, pipes and devices are written to directly. All
-/// our programs write files this way.
+/// bytes. A symbolic link stays, and its target is replaced. Terminals, pipes and devices are written to
+/// directly. All our programs write files this way.
 ///
-/// Absent if the file was written; otherwise one sentence with the path, the reason and what to do. Refuses
-/// to replace any of `inputs`, the files that were read for the output, under any name; `-` among them is
-/// standard input. Leave `inputs` empty only if nothing was read. If the folder cannot be synchronised, the
-/// new bytes are in place but may not survive a power cut.
+/// Absent if the file was written; otherwise one sentence with the path, the reason and what to do. `inputs`
+/// are the files that were read for the output, `-` for standard input; none of them is replaced, whatever
+/// its name. Leave `inputs` empty only if nothing was read. If the folder cannot be synchronised, the new
+/// bytes are in place but may not survive a power cut.
 [[nodiscard]] std::optional<Problem> writeFile(const std::string& path, std::string_view bytes,
                                                const std::vector<std::string>& inputs,
                                                const FileCalls& calls = {});
 
 /// Writes several files, all or none: the first is replaced only after the bytes of all are on the disk, and
-/// if one replacement fails, the others are reverted. If even that fails, the sentence says which file is the
-/// new one and where its old bytes are.
+/// if one replacement fails, the others are reverted. If a file cannot be reverted, the sentence names it and
+/// the file that contains its old bytes.
 [[nodiscard]] std::optional<Problem> writeFiles(const std::vector<FileContent>& files,
                                                 const std::vector<std::string>& inputs,
                                                 const FileCalls& calls = {});

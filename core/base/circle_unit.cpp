@@ -13,7 +13,7 @@ namespace alidade {
 namespace {
 
 struct BareNumber {
-  std::size_t digits = 0;  ///< before the decimal sign; 0: the text is not a bare number
+  std::size_t digits = 0;  ///< digits before the decimal sign; 0: not a bare number
   bool hasDecimals = false;
 };
 

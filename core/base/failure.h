@@ -12,10 +12,10 @@ namespace alidade {
 /// Describes the exception being handled; call it only within a catch block.
 std::string thrownReason();
 
-/// Runs `work` and catches its exception. Empty: it completed.
+/// Runs `work`. If it throws, returns the `thrownReason`; absent if it completes.
 std::optional<std::string> failureOf(const std::function<void()>& work);
 
-/// Work that an exception ended, with the record of what is needed to report it.
+/// Work that an exception ended, and the record for reporting the fault.
 struct FailedWork {
   std::string work;         ///< "fit": a phrase, as in "The fit failed"
   std::string reason;       ///< text of `thrownReason`
@@ -23,7 +23,7 @@ struct FailedWork {
   bool isRecorded = false;
 };
 
-/// What failed, why, that nothing typed is lost, and where the record is.
+/// Sentences that say what failed and why, that nothing typed is lost, and where the record is.
 std::string sentencesOf(const FailedWork& failed);
 
 }  // namespace alidade

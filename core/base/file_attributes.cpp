@@ -11,7 +11,7 @@ namespace {
 
 constexpr const char* accessList = "system.posix_acl_access";
 
-/// Names, each terminated by a zero; empty if there are none or the disk does not support them.
+/// The names of the extended attributes, each terminated by a zero; empty if there are none.
 std::string attributeNames(const std::string& path) {
   const ssize_t size = listxattr(path.c_str(), nullptr, 0);
   if (size <= 0) return {};

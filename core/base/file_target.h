@@ -17,12 +17,12 @@ struct FileTarget {
     Direct,  ///< a terminal, pipe or device such as /dev/null: written to, never replaced
   };
 
-  std::string path;  ///< with links resolved: the link stays, its target is replaced
+  std::string path;  ///< path with links resolved: a link stays, its target is replaced
   Kind kind = Kind::New;
-  mode_t mode = 0;                     ///< of `File`: its permissions
+  mode_t mode = 0;                     ///< permissions of a `File`
   uid_t owner = 0;                     ///< of `File`
   gid_t group = 0;                     ///< of `File`
-  std::optional<int> descriptor = {};  ///< of `Direct`: an open file of this process, as named by /dev/stdout
+  std::optional<int> descriptor = {};  ///< open file that a `Direct` such as /dev/stdout names
 
   std::string folder() const;  ///< the folder of `path`
 };

@@ -12,8 +12,8 @@ enum class Severity {
   Error,    ///< the reason why there is no result
 };
 
-/// A finding on the data: an arc too short to determine a radius, readings that scatter more than stated. For
-/// people: whole sentences.
+/// A finding on the data in whole sentences, such as an arc too short to determine a radius, or readings that
+/// scatter more than stated.
 struct Finding {
   Severity severity = Severity::Note;
   std::string text;         ///< what was found

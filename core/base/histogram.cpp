@@ -9,7 +9,7 @@
 namespace alidade {
 namespace {
 
-constexpr double mostClasses = 60;  // before the width is rounded and the ends are completed
+constexpr double mostClasses = 60;  // at most, before the width is rounded and the ends are completed
 
 /// The range of the middle half of the values.
 double interquartileRange(std::span<const double> values) {

@@ -10,7 +10,7 @@ namespace alidade {
 /// Values counted in classes of equal width. Class i contains lower(i) ≤ value < lower(i + 1); the last one
 /// also contains its upper limit.
 struct Histogram {
-  double width = 1;  ///< of a class: 1, 2 or 5 times a power of ten
+  double width = 1;  ///< width of a class: 1, 2 or 5 times a power of ten
   double first = 0;  ///< the lower limit of the first class, a multiple of the width
   std::vector<std::size_t> counts;
   std::size_t outside = 0;  ///< values in no class
@@ -21,9 +21,9 @@ struct Histogram {
   std::size_t largestCount() const;
 };
 
-/// Counts finite values in classes that cover ±`reach` (> 0). Their width is 2 q/n^⅓, q the interquartile
-/// range (Freedman and Diaconis, "On the histogram as a density estimator", 1981), rounded up; there are at
-/// most 62 of them.
+/// Counts finite values in classes that cover ±`reach` (> 0). Their width is 2 q/n^⅓, rounded up, with the
+/// interquartile range q of n values (Freedman and Diaconis, "On the histogram as a density estimator",
+/// 1981). There are at most 62 classes.
 Histogram histogram(std::span<const double> values, double reach);
 
 /// Values of a normal distribution about zero.

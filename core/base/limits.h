@@ -8,10 +8,10 @@
 namespace alidade::limits {
 
 // Limits of input from any source: a file, standard input or the window. Anything beyond is refused with one
-// sentence before it exhausts the memory. Reading takes less than 2 GB; a million rows are fitted and
-// diagnosed within 2 GB.
+// sentence before it exhausts the memory. Reading takes less than 2 GB of memory; so do the fit and the
+// diagnosis of a million rows.
 
-/// Largest file or standard input: room for the most rows at 256 bytes each, several times the usual length.
+/// Largest file or standard input in bytes: room for `mostRows` rows of several times the usual length.
 inline constexpr std::size_t mostBytes = std::size_t{512} << 20;
 
 /// Most rows of a session or a file of readings, in all positions: a reading every second for three weeks.
@@ -30,11 +30,11 @@ inline constexpr std::size_t mostKinds = 1000;
 /// Deepest nesting of lists and objects in a session file, which uses 6: reading must not exhaust the stack.
 inline constexpr std::size_t deepestNesting = 100;
 
-/// Most values of a session file without its rows: each takes some hundred bytes of memory, many times its
+/// Most values of a session file outside its rows. Each takes about a hundred bytes of memory, many times its
 /// text.
 inline constexpr std::size_t mostValues = 1'000'000;
 
-/// Most keys, values and brackets of a truth file: ten times those of ten thousand trials.
+/// Most keys, values and brackets of a truth file: ten times as many as ten thousand trials need.
 inline constexpr std::size_t mostTruthEvents = 2'000'000;
 
 /// Longest single text in bytes: notes of many hundred pages. Several copies of each text are in memory.

@@ -47,8 +47,8 @@ MeanAndSigma momentsOf(const std::vector<NormalPart>& mixture) {
 double halfWidth(const std::vector<NormalPart>& mixture, double centre, double coverage) {
   assert(!mixture.empty() && coverage > 0 && coverage < 1);
   const double wanted = coverage * sharesOf(mixture), factor = normalQuantile((1 + coverage) / 2);
-  // The largest half-width of a single part, which is an upper limit: every part then has at least its
-  // coverage.
+  // `high` starts as the largest half-width of a single part. It is an upper limit, since within it every
+  // part has at least the coverage.
   double low = 0, high = 0;
   for (const NormalPart& part : mixture)
     high = std::max(high, std::abs(part.mean - centre) + factor * part.sigma);

@@ -5,8 +5,8 @@
 namespace alidade {
 
 // The distribution of a quantity with several possible explanations, each with its own normal distribution.
-// Two distant ones give two peaks: the 95 % interval reaches the smaller peak once its share is 5 %, twice
-// the standard deviation only once its share is 20 %.
+// Two distant parts give two peaks. The 95 % interval reaches the smaller peak if its share is at least 5 %;
+// mean ± 2 σ reaches it only from a share of 20 % on.
 //
 // Source: JCGM 101:2008, 7.7, coverage interval from the distribution.
 
@@ -23,11 +23,11 @@ struct MeanAndSigma {
 /// Mean and σ of one part or more: σ² is the mean of the variances plus the variance of the means.
 MeanAndSigma momentsOf(const std::vector<NormalPart>& mixture);
 
-/// h such that centre ± h contains `coverage`, in (0, 1), for one part or more; to a relative 1e-6.
+/// The h for which centre ± h contains `coverage`, in (0, 1), of one part or more; relative error 1e-6.
 double halfWidth(const std::vector<NormalPart>& mixture, double centre, double coverage);
 
-/// Joins parts whose means differ by less than `grain`, with similar variances, into one part with their
-/// moments. The distribution hardly changes, but evaluates faster. `grain` > 0, in the means' unit.
+/// Joins parts whose mean and σ lie in the same interval of width `grain` into one part with their moments.
+/// The distribution hardly changes, but its evaluation is faster. `grain` > 0, in the means' unit.
 std::vector<NormalPart> joined(const std::vector<NormalPart>& mixture, double grain);
 
 }  // namespace alidade

@@ -41,7 +41,7 @@ std::size_t numberEnd(std::string_view text) {
   return end;
 }
 
-/// Is it a whole number in its usual notation: digits without a sign?
+/// Is the text one to nine digits without a sign?
 bool isPlainWhole(std::string_view text) {
   return !text.empty() && text.size() <= mostWholeDigits && skipDigits(text, 0) == text.size();
 }
@@ -108,7 +108,7 @@ std::string shortestText(double value) {
 }
 
 std::string fixedText(double value, int decimals) {
-  constexpr std::size_t mostDigits = 320;  // of the largest double, with sign and point
+  constexpr std::size_t mostDigits = 320;  // digits of the largest double, with sign and point
   std::string text(mostDigits + static_cast<std::size_t>(std::max(decimals, 0)), '\0');
   const auto result = std::to_chars(text.data(), text.data() + text.size(), value, std::chars_format::fixed,
                                     std::max(decimals, 0));

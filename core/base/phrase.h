@@ -41,7 +41,7 @@ struct Phrase {
 
   /// Translates from English, UTF-8, to the language of the calling thread.
   using Interpreter = std::string (*)(const char* english);
-  /// Applies to the whole program; call it before the first phrase in another language. Null: English.
+  /// Sets the interpreter of the whole program, before the first phrase in another language. Null: English.
   static void setInterpreter(Interpreter interpreter);
 
  private:
@@ -51,6 +51,6 @@ struct Phrase {
 
 }  // namespace alidade
 
-/// Marks an English text of a table, passed to `Phrase::of` later, for the translation files. `context` is
-/// "Phrase".
+/// Marks an English text in a table for the translation files. The text is passed to `Phrase::of` later.
+/// `context` is "Phrase".
 #define PHRASE_LATER(context, english) english

@@ -12,7 +12,7 @@ struct Problem {
   std::string what;  ///< e.g. `“88°71'49"” has 71 minutes; minutes go from 0 to 59`
   Place where = {};
 
-  /// `positions[1].readings[3].vertical: …`, or only the sentence without a place.
+  /// `positions[1].readings[3].vertical: …`, or only the sentence if there is no place.
   std::string text() const;
 
   bool operator==(const Problem&) const = default;

@@ -6,10 +6,10 @@
 
 namespace alidade {
 
-/// Random numbers that are the same on every machine and for any distribution of the work: each piece of work
-/// has its own stream, identified by a seed and a number. xoshiro256++ (Blackman and Vigna, "Scrambled linear
-/// pseudorandom number generators", 2021), seeded through SplitMix64. A normal number is the normal quantile
-/// of a uniform one instead of std::normal_distribution, whose algorithm depends on the library.
+/// Random numbers that are the same on every machine and for any distribution of the work over threads: each
+/// piece of work has its own stream, identified by a seed and a number. xoshiro256++ (Blackman and Vigna,
+/// "Scrambled linear pseudorandom number generators", 2021), seeded through SplitMix64. A normal number is
+/// the normal quantile of a uniform one; std::normal_distribution depends on the library.
 class RandomSource {
  public:
   explicit RandomSource(std::uint64_t seed, std::uint64_t stream = 0);
@@ -26,7 +26,7 @@ class RandomSource {
     s[3] = std::rotl(s[3], 45);
     return result;
   }
-  /// In (0, 1), a multiple of 2⁻⁵³ plus 2⁻⁵⁴.
+  /// A random number in (0, 1): a multiple of 2⁻⁵³ plus 2⁻⁵⁴.
   double uniform() { return (static_cast<double>(bits() >> 11) + 0.5) * 0x1p-53; }
   double uniform(double low, double high);  ///< in (low, high)
   double normal();                          ///< mean 0, standard deviation 1

@@ -9,8 +9,8 @@
 
 namespace alidade {
 
-/// A value, or why there is none: as one sentence, or as a `Reason` that `core/wording/` puts into words. For
-/// invalid input; our own bugs are asserts, and statements on the data are findings.
+/// A value, or the reason why there is none: one sentence, or a `Reason` that `core/wording/` puts into
+/// words. For invalid input; faults of the program are asserts, statements on the data are findings.
 template <typename T, typename Reason = Problem>
 class [[nodiscard]] Result {
  public:

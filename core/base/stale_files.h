@@ -4,7 +4,7 @@
 
 namespace alidade {
 
-/// The ending of our temporary files: `.alidade-4711-1.tmp`, where 4711 is the process.
+/// The ending of our temporary files: `.alidade-4711-1.tmp`, where 4711 is the number of the process.
 inline constexpr const char* temporarySuffix = ".tmp";
 
 /// Removes from `folder` temporary files of our programs whose process has ended and that are unchanged for

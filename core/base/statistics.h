@@ -26,7 +26,7 @@ class Misfit {
   double m_squared;
 };
 
-/// The number of redundant conditions: positive, may be infinite, or none.
+/// The number of redundant conditions: positive, infinite, or 0 for none.
 class DegreesOfFreedom {
  public:
   DegreesOfFreedom(double count) : m_count(count > 0 ? count : 0) {}
@@ -44,8 +44,8 @@ class DegreesOfFreedom {
 /// Probability that χ² exceeds a misfit. Absent if the misfit is unknown or there are no degrees of freedom.
 std::optional<double> chiSquareUpperTail(Misfit chiSquare, DegreesOfFreedom degreesOfFreedom);
 
-/// Probability that F exceeds a misfit of `numerator` conditions divided by their number. Absent if the
-/// misfit is unknown or either has no degrees of freedom.
+/// Probability that F exceeds `misfit` / `numerator`. Absent if the misfit is unknown or either number of
+/// degrees of freedom is 0.
 std::optional<double> fUpperTail(Misfit misfit, DegreesOfFreedom numerator, DegreesOfFreedom denominator);
 
 /// k such that a Student variable (infinite degrees of freedom: normal) lies within ±k with probability
@@ -60,7 +60,7 @@ std::optional<double> studentLowerTail(double t, DegreesOfFreedom degreesOfFreed
 /// freedom (Welch-Satterthwaite, JCGM 100, G.4.1: ν (σ/scaled)⁴). Infinite if that part is zero.
 DegreesOfFreedom effectiveDegreesOfFreedom(double sigma, double scaled, DegreesOfFreedom ofScaled);
 
-/// σ of a variance: 0 for one below zero by rounding; NaN stays NaN.
+/// The square root of a variance; 0 if the variance is below zero, as by rounding. NaN stays NaN.
 double standardDeviation(double variance);
 
 /// z with Φ(z) = `probability` in (0, 1).

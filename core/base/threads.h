@@ -6,8 +6,8 @@
 
 namespace alidade {
 
-/// Runs `work` in `threads` ≥ 1 threads, this one included, and returns when all of them are done. The first
-/// exception is rethrown here; the other threads complete.
+/// Runs `work` once in each of `threads` ≥ 1 threads, this one included, and returns when all are done. The
+/// first exception is rethrown here; the other threads complete.
 void inThreads(std::size_t threads, const std::function<void()>& work);
 
 /// Runs `work` for each number below `count`, in `threads` ≥ 1 threads, and returns when all are done; one

@@ -67,7 +67,7 @@ void appendPlain(std::string& plain, std::string_view character, char32_t code) 
     plain += character;
 }
 
-/// Is it a decimal digit of a script other than Latin, such as Arabic? Each script has ten in a row.
+/// Is this a decimal digit of another script, such as Arabic? The ten digits of a script are consecutive.
 bool isForeignDigit(char32_t code) {
   constexpr char32_t zeros[] = {U'\u0660', U'\u06F0', U'\u07C0', U'\u0966', U'\u09E6', U'\u0A66',
                                 U'\u0AE6', U'\u0B66', U'\u0BE6', U'\u0C66', U'\u0CE6', U'\u0D66',

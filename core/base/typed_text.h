@@ -13,7 +13,7 @@ std::string plainSigns(std::string_view typed);
 
 bool isDigit(char c);
 
-/// Does the text contain a digit of another script, such as Arabic? Numbers and angles with these are
+/// Does the text contain a digit of another script, such as Arabic? Numbers and angles with such digits are
 /// refused.
 bool hasForeignDigits(std::string_view text);
 

@@ -40,8 +40,8 @@ bool isSelector(char32_t code) {
          (code >= 0xE0100 && code <= 0xE01EF);
 }
 
-/// Does `before` change its shape because of what follows? Arabic, Indic and later scripts and pictures do;
-/// Latin, Greek, Cyrillic and Hebrew do not.
+/// Does the joiner or selector `code` change the shape of `before`? It can in Arabic, Indic and later scripts
+/// and in pictures, but not in Latin, Greek, Cyrillic and Hebrew.
 bool isShapedBy(char32_t before, char32_t code) {
   constexpr char32_t firstShaped = 0x0600;
   return before >= firstShaped &&

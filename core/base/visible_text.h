@@ -8,10 +8,9 @@ namespace alidade {
 
 /// User text in a form that is safe to show. Characters that would control a terminal, reverse the order of
 /// the line or be invisible appear as their JSON escape, \u001b or \u202e. These are the control characters
-/// (C0, DEL, C1), the line and paragraph separators and all that Unicode draws as nothing; joiners and
-/// variation selectors stay in place after a character of a script or a picture that they shape. A byte that
-/// is not UTF-8 appears as \xff. Everything else stays unchanged, including backslashes. The control
-/// characters in `kept` stay.
+/// (C0, DEL, C1), the line and paragraph separators and all characters that Unicode defines as invisible. A
+/// joiner or variation selector stays if it shapes the character before it. A byte that is not UTF-8 appears
+/// as \xff. Everything else stays unchanged, including backslashes. The control characters in `kept` stay.
 ///
 /// Within a JSON document the escapes are equivalent to the characters, so that its content is the same.
 std::string visibleText(std::string_view text, std::string_view kept = {});

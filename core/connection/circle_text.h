@@ -8,11 +8,11 @@
 
 namespace alidade {
 
-/// The text of a circle reading for a session, without trailing zeros. Its resolution, finer than any circle,
-/// is 0.001″ with minutes and seconds, 10⁻⁷° in decimal degrees, and 10⁻⁷ gon.
+/// The text of a circle reading for a session, without trailing zeros. Its resolution, finer than that of any
+/// circle, is 0.001″ with minutes and seconds, 10⁻⁷° in decimal degrees, and 10⁻⁷ gon.
 std::string circleText(Angle reading, CircleUnit unit);
 
-/// A zenith angle in [0°, 360°) as a circle of this kind reads it; see `isFaceTwo`.
+/// The reading of a vertical circle of this kind at `zenith` in [0°, 360°); see `isFaceTwo`.
 Angle onCircle(Angle zenith, VerticalCircle circle);
 /// The inverse of `onCircle`.
 Angle zenithOf(Angle reading, VerticalCircle circle);

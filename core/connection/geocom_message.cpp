@@ -44,8 +44,8 @@ std::string joined(const std::vector<std::string>& parts) {
 }
 
 struct Message {
-  std::vector<int> heads;  ///< before the colon, up to three; the third is a check sum
-  std::string_view rest;   ///< after the colon
+  std::vector<int> heads;  ///< numbers before the colon, up to three; the third is a check sum
+  std::string_view rest;   ///< text after the colon
   bool isSound = true;     ///< the check sum is correct, or there is none
 };
 

@@ -48,17 +48,17 @@ std::string geoComLine(const GeoComAnswer& answer);
 
 /// Absent if the line is not a question.
 std::optional<GeoComQuestion> geoComQuestion(std::string_view line);
-/// Skips noise before `%R1P`, as from a cable just plugged in.
+/// Skips noise before `%R1P`, as from a cable just plugged in. Absent if the line is not an answer.
 std::optional<GeoComAnswer> geoComAnswer(std::string_view line);
 
-/// CRC-16/ARC: polynomial x¹⁶ + x¹⁵ + x² + 1, reflected, from 0; of "123456789" it is 0xBB3D.
+/// CRC-16/ARC: polynomial x¹⁶ + x¹⁵ + x² + 1, reflected, initial value 0; for "123456789" it is 0xBB3D.
 int geoComChecksum(std::string_view text);
 
 /// Are the angles of an answer with this return code usable?
 bool hasAngles(int returnCode);
 /// Does this return code guarantee the angles? A missing distance does not matter.
 bool isGuaranteed(int returnCode);
-/// Will the same question be answered a moment later?
+/// May the instrument answer the same question a moment later?
 bool isBusy(int returnCode);
 
 /// The meaning of a return code, as a sentence.

@@ -13,7 +13,7 @@ namespace alidade {
 
 namespace {
 
-constexpr int tiltDecimals = 2;  // of arcseconds: the resolution of compensators
+constexpr int tiltDecimals = 2;  // 0.01″, the resolution of compensators
 constexpr std::size_t anglesCount = 9, plainCount = 2, switchesCount = 4;
 constexpr std::array<const char*, switchesCount> switchNames = {"inclination", "standing_axis", "collimation",
                                                                 "tilting_axis"};
@@ -144,7 +144,7 @@ void GeoComTalk::use(const GeoComAnswer& answer, Milliseconds now, TalkStep& ste
   next(now, step);
 }
 
-/// Does the answer contain all parameters that this question requires?
+/// Does the answer have the number and kind of parameters that this question requires?
 bool GeoComTalk::isWhole(int rpc, const GeoComAnswer& answer) {
   const std::vector<std::string>& values = answer.parameters;
   const auto isNumber = [](const std::string& text) { return static_cast<bool>(parseNumber(text)); };
@@ -162,7 +162,7 @@ bool GeoComTalk::isWhole(int rpc, const GeoComAnswer& answer) {
   }
 }
 
-/// Takes the direction of the telescope from the circles. False if these are not angles.
+/// Fills `m_reading` from an answer with angles. False if one of its values is not an angle.
 bool GeoComTalk::takeAngles(const GeoComAnswer& answer, TalkStep& step) {
   const std::vector<std::string>& values = answer.parameters;
   const auto horizontal = radiansOf(values[0]), vertical = radiansOf(values[1]);
@@ -236,7 +236,7 @@ void GeoComTalk::takeSerial(const std::string& serial) {
 }
 
 /// Skips an optional question, for good if it was refused. If RPC 2003 is unknown, asks for the angles
-/// without tilts (RPC 2107). Otherwise ends the reading. `code`: return code; absent: no answer.
+/// without tilts (RPC 2107). Otherwise ends the reading or contact. `code`: return code; absent: no answer.
 void GeoComTalk::giveUp(std::optional<int> code, Milliseconds now, TalkStep& step) {
   const Question question = m_questions.front();
   if (question.need == Need::Optional) {

@@ -9,11 +9,11 @@
 
 namespace alidade {
 
-// The program's side of the connection. It first asks two empty questions, since the first may be lost while
-// the instrument wakes. It then asks for the instrument's resolution and identity. For each reading it asks
-// for the serial, the corrections and the compensator's state (RPC 5003, 2014, 2007), which may have changed,
-// and then for circles and tilts (2003). Only one question is pending. After a busy answer it is repeated
-// later, without an answer with a new number. Late and duplicate answers have an outdated number.
+// The program's side of a GeoCOM connection. It first asks two empty questions, since the first may be lost
+// while the instrument wakes, then for the number of decimals, the identity and the temperature. For each
+// reading it asks for serial number, corrections and compensator state (RPC 5003, 2014, 2007), which may have
+// changed, then for circles and tilts (2003). Only one question is pending. After a busy, damaged or missing
+// answer it is repeated with a new transaction number. Late and duplicate answers have an outdated number.
 
 class GeoComTalk : public InstrumentTalk {
  public:

@@ -7,7 +7,7 @@
 
 namespace alidade {
 
-// What a GSI word states about its angle. Its positions 3 to 6 are the number of the block, or a point and
+// What a GSI word states about its angle. Characters 3 to 6 are the block's number, or a point followed by
 //
 //   4 compensator: 0 off, 1 and 3 on
 //   5 input: 0 as measured, 1 keyed in, 2 measured with the corrections of the horizontal circle on, 3 with
@@ -19,14 +19,14 @@ namespace alidade {
 
 struct GsiInformation {
   std::optional<bool> isCompensated = {};          ///< the compensator was on
-  std::optional<bool> isHorizontalCorrected = {};  ///< for standing axis, collimation and tilting axis
+  std::optional<bool> isHorizontalCorrected = {};  ///< corrected for standing axis, collimation, tilting axis
   bool isKeyedIn = false;                          ///< typed on the instrument instead of measured
-  bool isComputed = false;                         ///< by a function of the instrument
+  bool isComputed = false;                         ///< the result of a function of the instrument
 };
 
 GsiInformation gsiInformation(const GsiWord& word);
 
-/// The corrections according to both circles, as in a row; empty if the information is incomplete.
+/// The corrections by the words of both circles, in the notation of a row; empty if not fully known.
 std::string gsiCorrections(const GsiInformation& horizontal, const GsiInformation& vertical);
 
 /// The reason why the instrument does not guarantee one of these angles; empty if it does.

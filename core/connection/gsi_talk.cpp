@@ -21,7 +21,7 @@ constexpr const char* acknowledgement = "?";
 constexpr const char* measureBoth = "GET/M/WI21/WI22";
 constexpr const char* askSerial = "GET/I/WI12";
 
-/// The block from the last * on: removes noise and an incomplete block before it.
+/// The block from the last * on, without noise or an incomplete block before it; else the whole line.
 std::string blockIn(const std::string& line) {
   const std::size_t star = line.rfind('*');
   return star != std::string::npos && looksLikeGsi(line.substr(star)) ? line.substr(star) : line;
@@ -32,7 +32,7 @@ const GsiWord* wordIn(const std::vector<GsiWord>& words, int index) {
   return found == words.end() ? nullptr : &*found;
 }
 
-/// The circle of a word, as a text validated like typed input.
+/// The circle reading of a word. `text` receives its text, which is checked like typed input.
 Result<Angle> circleOf(const GsiWord& word, const RowField& field, VerticalCircle circle, std::string& text) {
   const auto angle = gsiAngle(word, 0);
   if (const auto* problem = std::get_if<LineProblem>(&angle)) return Problem{problem->what};
@@ -112,7 +112,7 @@ void GsiTalk::onLine(const std::string& line, Milliseconds now, TalkStep& step) 
   takeBlock(blockIn(text), now, step);
 }
 
-/// Takes the answer to the question for the serial number; false for a block with circles.
+/// Takes the answer to the question for the serial number; false for any other line.
 bool GsiTalk::takeSerial(const std::string& line, TalkStep& step) {
   if (!m_serialUntil) return false;
   const auto parsed = gsiWords({0, line});
@@ -148,7 +148,7 @@ void GsiTalk::takeBlock(const std::string& line, Milliseconds now, TalkStep& ste
     return step.remarks.push_back(Phrase::of("This is no GSI block and was skipped: %1", shown));
   if (takeSerial(line, step)) return;
   const Result<InstrumentReading> reading = gsiReading(line, m_circles.vertical);
-  if (!reading)  // without an acknowledgement the instrument repeats it
+  if (!reading)  // the instrument repeats a block that is not acknowledged
     return step.remarks.push_back(
         Phrase::of("A block was not accepted: %1. The instrument sends it again, or reports an error.",
                    reading.problem().what));

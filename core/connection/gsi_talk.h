@@ -37,7 +37,7 @@ class GsiTalk : public InstrumentTalk {
   std::optional<Milliseconds> m_readingUntil = {};  ///< time limit of a requested reading
   std::optional<Milliseconds> m_serialUntil = {};   ///< time limit of the requested serial number
   std::string m_lastBlock;                          ///< last block taken
-  Milliseconds m_lastAt = 0;                        ///< time of its last arrival
+  Milliseconds m_lastAt = 0;                        ///< time when `m_lastBlock` last arrived
 };
 
 /// The reading of a block, or a sentence on its problem.

@@ -18,7 +18,7 @@ using Milliseconds = std::int64_t;
 
 class LineAssembler {
  public:
-  /// Lines of both protocols are less than a third as long: GSI-16 with 12 words has 288 characters.
+  /// The longest line, in bytes: over three times that of both protocols, 288 bytes for 12 words of GSI-16.
   static constexpr std::size_t longest = 1000;
 
   /// An incomplete line is dropped if nothing follows within `lineWithin`.
@@ -31,7 +31,7 @@ class LineAssembler {
   void tick(Milliseconds now, std::vector<std::string>& remarks);
   /// The next time `tick` is needed; absent: only after further bytes.
   std::optional<Milliseconds> wakeAt() const;
-  /// The length of the incomplete line.
+  /// The length of the incomplete line in bytes.
   std::size_t pending() const { return m_line.size(); }
 
  private:

@@ -36,7 +36,7 @@ std::string padded(long long number, std::size_t width) {
   return std::string(width > digits.size() ? width - digits.size() : 0, '0') + digits;
 }
 
-/// The data of a word: 10⁻⁵ of gon and degrees, or DDD.MMSSs to a tenth of a second.
+/// The digits of a word: units of 10⁻⁵ gon or degrees, or DDDMMSSs with s in tenths of a second.
 long long gsiNumber(Angle angle, char unit) {
   constexpr long long fullGon = 40'000'000, fullDegrees = 36'000'000, fullTenths = 12'960'000;
   if (unit == '2') return std::llround(angle.degrees() / 0.9 * 1e5) % fullGon;
@@ -183,7 +183,7 @@ std::string SimulatedInstrument::answerAngles(const GeoComQuestion& question) {
   return withFault(line + lineEnd, fault);
 }
 
-/// Requested before each reading: with the fault OtherSerial the next reading is from another instrument.
+/// With the fault OtherSerial, the serial number and the reading that follows are of another instrument.
 std::string SimulatedInstrument::serialNow() {
   m_isOther = faultDue() == InstrumentFault::OtherSerial;
   if (m_isOther) faultNow();

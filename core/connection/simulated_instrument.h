@@ -13,9 +13,9 @@
 
 namespace alidade {
 
-// A simulated instrument for testing a connection: it uses GeoCOM and GSI online, points at one sighting
-// after the other, and simulates typical faults. As with a real observer, the telescope stays until the
-// sighting was delivered completely: a cut or lost one is sent again. Input and output are bytes and time.
+// A simulated instrument for testing a connection by GeoCOM or GSI online. It points at one target after the
+// other and simulates typical faults. As with a real observer, the telescope stays until the sighting was
+// delivered completely: a cut or lost sighting is sent again. Input and output are bytes and time.
 
 /// A fault of one sighting, which occurs once; then the sighting is delivered.
 enum class InstrumentFault {
@@ -26,9 +26,9 @@ enum class InstrumentFault {
   Busy,           ///< busy at first
   Wrong,          ///< the telescope points elsewhere
   OtherFace,      ///< the same target in the other face
-  Turned,         ///< the axis was turned too early: the same place in the other position
+  Turned,         ///< the axis was turned too early: the same point in the other position
   Again,          ///< the sighting before the last one is sent again, long after its acknowledgement
-  NotGuaranteed,  ///< not guaranteed: with GeoCOM by a return code; with GSI keyed in, the compensator off
+  NotGuaranteed,  ///< not guaranteed: a GeoCOM return code, or a GSI word keyed in with the compensator off
   OtherSerial,    ///< another instrument is on the cable
   WrongChecksum,  ///< GeoCOM: the check sum of an answer is wrong
 };
@@ -63,7 +63,7 @@ struct SimulatedOptions {
   std::array<bool, 4> corrections = {true, true, true,
                                      true};  ///< inclination, standing axis, collimation, tilting
   bool isCompensated = true;
-  bool hasChecksums = false;  ///< in the answers of GeoCOM
+  bool hasChecksums = false;  ///< GeoCOM answers have check sums
   std::string name = "Alidade simulated instrument", serial = "1000001", otherSerial = "2000002";
 };
 
@@ -79,7 +79,7 @@ class SimulatedInstrument {
   std::string receive(std::string_view bytes);
   /// The key REC, which with GSI sends a block; without effect while a block waits for its acknowledgement.
   std::string record(Milliseconds now);
-  /// Repeats unacknowledged blocks, and answers after a busy period.
+  /// Repeats an unacknowledged block after `repeatAfter`.
   std::string tick(Milliseconds now);
 
   /// The number of sightings delivered completely.
@@ -109,7 +109,7 @@ class SimulatedInstrument {
   std::size_t m_faults = 0;  ///< number of simulated faults
   std::size_t m_codes = 0;   ///< number of answers without guarantee
   bool m_isOther = false;    ///< the next answer is that of another instrument
-  std::string m_line;        ///< without its end
+  std::string m_line;        ///< received characters of an incomplete line
   struct Waiting {
     std::string block;
     Milliseconds since;

@@ -10,13 +10,13 @@ namespace alidade {
 
 /// A target of a simulated instrument: circle readings with a zenith circle.
 struct SimulatedSighting {
-  Angle horizontal, zenith;  ///< in [0°, 360°)
+  Angle horizontal, zenith;  ///< circle readings in [0°, 360°)
   Angle tiltCross = {}, tiltLength = {};
 };
 
 /// The sightings of a session in the order taken: for each position its pointing zero before the readings, in
-/// face 1 and in face 2, then its rows, then the zero after them likewise. Missing zeros and rows with
-/// invalid circles are left out. `noise`: σ of the normal noise added to both circles, drawn from `seed`.
+/// face 1 and in face 2, then its rows, then the zero after them in both faces. Missing zeros and rows with
+/// invalid circles are left out. `noise`: σ of the normal noise added to both circles, from `seed`.
 std::vector<SimulatedSighting> sightingsOf(const Session& session, Angle noise = {}, std::uint64_t seed = 1);
 
 }  // namespace alidade

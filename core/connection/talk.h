@@ -20,17 +20,17 @@ namespace alidade {
 /// The circles of the session: kind of vertical circle, and unit.
 struct TalkCircles {
   VerticalCircle vertical = VerticalCircle::Zenith;
-  CircleUnit unit = CircleUnit::Dms;  ///< for writing angles that the instrument sends in radians
+  CircleUnit unit = CircleUnit::Dms;  ///< unit in which angles sent in radians are written
 };
 
 struct TalkTimes {
-  Milliseconds answerWithin = 5000;   ///< the compensator may take three seconds to come to rest
-  Milliseconds wakeWithin = 1500;     ///< for an answer to the first question
-  Milliseconds lineWithin = 2000;     ///< for the rest of a line: 300 characters take 1.3 s at 2400 baud
-  Milliseconds busyPause = 400;       ///< before a question is repeated after a busy answer
+  Milliseconds answerWithin = 5000;   ///< limit for angles: the compensator may need 3 s to come to rest
+  Milliseconds wakeWithin = 1500;     ///< limit for the answer to any other question
+  Milliseconds lineWithin = 2000;     ///< limit for the rest of a line: 300 bytes take 1.3 s at 2400 baud
+  Milliseconds busyPause = 400;       ///< pause between a busy answer and the repeated question
   Milliseconds repeatWithin = 20000;  ///< the same block within this time is the same sighting
-  int attempts = 3;                   ///< for an unanswered question
-  int busyAttempts = 12;              ///< for a question answered with busy
+  int attempts = 3;                   ///< most attempts at an unanswered question
+  int busyAttempts = 12;              ///< most repetitions of a question that is answered with busy
 };
 
 /// A line that was sent or received, for the log.
@@ -42,8 +42,8 @@ struct TalkLine {
 /// The results of one call.
 struct TalkStep {
   std::string toSend;
-  std::vector<TalkLine> lines;              ///< in their order
-  std::vector<InstrumentReading> readings;  ///< in the order taken
+  std::vector<TalkLine> lines;              ///< lines in the order sent and received
+  std::vector<InstrumentReading> readings;  ///< readings in the order taken
   std::vector<std::string> remarks;         ///< sentences for people
   bool isIdentified = false;                ///< the identity is now known
 };
@@ -58,7 +58,7 @@ class InstrumentTalk {
 
   void setCircles(const TalkCircles& circles) { m_circles = circles; }
 
-  /// Called when the port is open.
+  /// Starts the dialogue; call it when the port is open.
   TalkStep begin(Milliseconds now);
   TalkStep receive(std::string_view bytes, Milliseconds now);
   /// Requests a reading of the current target.
@@ -76,7 +76,7 @@ class InstrumentTalk {
   virtual void onLine(const std::string& line, Milliseconds now, TalkStep& step) = 0;
   virtual void onTake(Milliseconds now, TalkStep& step) = 0;
   virtual void onTick(Milliseconds now, TalkStep& step) = 0;
-  /// An incomplete line was dropped: an answer pending on it will not arrive.
+  /// Called after an incomplete line was dropped: a pending answer in that line will not arrive.
   virtual void onLineLost(Milliseconds, TalkStep&) {}
   virtual std::optional<Milliseconds> onWakeAt() const = 0;
 

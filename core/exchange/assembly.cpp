@@ -247,7 +247,7 @@ class Assembly {
         quotation(text))};
   }
 
-  /// The position at that axis; creates it, and any repeats before it, if missing.
+  /// The position with this axis and repeat; creates it, and any repeats before it, if missing.
   Position& positionAt(const PositionKey& at) {
     std::vector<Position>& positions = m_import.session.positions;
     const Result<int> wanted = axisEntry(at.first);
@@ -322,7 +322,7 @@ class Assembly {
     });
   }
 
-  /// The first position of a session is at 0°; repeats at an axis keep the order of the file.
+  /// Puts the position at 0° first. If an axis repeats, positions get the order in which the file has them.
   void orderPositions() {
     std::stable_sort(m_import.session.positions.begin(), m_import.session.positions.end(),
                      [](const Position& a, const Position& b) { return rankOf(a) < rankOf(b); });
@@ -378,7 +378,7 @@ class Assembly {
         ImportedRows& rows = origins.back();
         ++rows.count;
         ++row;
-        const bool isSameLine = !rows.lines.empty() && rows.lines.back().second == line;  // of both faces
+        const bool isSameLine = !rows.lines.empty() && rows.lines.back().second == line;  // both faces
         if (isSameLine) continue;
         if (!rows.lines.empty() && rows.lines.back().second + 1 == line)
           rows.lines.back().second = line;
@@ -397,8 +397,8 @@ class Assembly {
   bool m_hasTurns = false;  ///< a file states the turn of its rows
   bool m_isAdded;           ///< readings are added to those of a session
   std::vector<Recording> m_recordings;
-  std::vector<RecordedSighting> m_sightings;                    ///< of all files, in file order
-  std::vector<std::pair<std::size_t, LineProblem>> m_problems;  ///< with the index of the file
+  std::vector<RecordedSighting> m_sightings;                    ///< sightings of all files, in file order
+  std::vector<std::pair<std::size_t, LineProblem>> m_problems;  ///< index of the file, and problem
   std::map<PositionKey, std::vector<std::pair<std::size_t, std::size_t>>> m_lines;  ///< file and line by row
   VerticalCircle m_circle = VerticalCircle::Zenith;
   Import m_import;

@@ -18,11 +18,11 @@ struct ColumnNumbers {
 };
 ColumnNumbers numbersIn(const std::vector<TableCells>& rows, std::size_t column);
 
-/// The mean distance of the readings from the horizon, if the horizon is at `horizon` in either face.
+/// The mean distance of the readings from the horizon, at `horizon` in face 1 and 3 × `horizon` in face 2.
 double spreadAround(const std::vector<double>& vertical, double horizon);
 
-/// The unit, degrees or gon, that the readings allow: values beyond 360, or around the horizon, decide. `all`
-/// holds the readings of both circles. Unstated if the readings leave both units possible.
+/// Gon if a reading is 360 or more, else the unit whose horizon the vertical readings are much closer to;
+/// Unstated if neither horizon is. `all` holds the readings of both circles.
 AngleUnit unitByNumbers(const std::vector<double>& all, const std::vector<double>& vertical);
 
 /// Returns the number of adjacent columns from `column` on that hold degrees, minutes and perhaps seconds: 2

@@ -15,7 +15,7 @@ namespace {
 
 using Role = HeadingRole;
 
-/// A tilt such as `Cross tilt ["]` or `tilt_length_arcsec`. Tilts in other units are ignored.
+/// The name of a tilt such as `Cross tilt ["]` or `tilt_length_arcsec`. Tilts in other units are ignored.
 std::optional<ColumnName> tiltName(const std::vector<std::string>& words) {
   bool isTilt = false;
   std::string Reading::*axis = nullptr;
@@ -36,7 +36,7 @@ std::optional<ColumnName> tiltName(const std::vector<std::string>& words) {
   return name;
 }
 
-/// Fields that a single word names, apart from the circles.
+/// The field that a single word names, apart from the circles.
 std::optional<TableColumn> plainColumn(std::string_view word) {
   using Other = TableColumn::Other;
   for (const auto& [role, other] : {std::pair(Role::Axis, Other::Axis), std::pair(Role::Turn, Other::Turn),
@@ -124,13 +124,13 @@ class NameReader {
     m_isHorizontal = any(Role::Horizontal);
   }
 
-  /// A distance such as `slope distance [mm]` or `HD`, of which every word is known. A zenith distance is an
-  /// angle.
+  /// Is this a distance such as `slope distance [mm]` or `HD`, of which every word is known? A zenith
+  /// distance is an angle.
   bool takeDistance() {
     if (m_isZenith) return false;
     ColumnName name;
     for (const std::string& word : m_words) {
-      const bool isLetter = m_isHorizontal && (word == "s" || word == "d");  // in Hz s, s means seconds
+      const bool isLetter = m_isHorizontal && (word == "s" || word == "d");  // the s of `Hz s` means seconds
       if (!isLetter && (means(Role::Distance, word) || means(Role::HorizontalDistance, word))) {
         name.column = TableColumn{nullptr, TableColumn::Other::Distance};
         name.isHorizontal = name.isHorizontal || means(Role::HorizontalDistance, word);
@@ -167,7 +167,7 @@ class NameReader {
 
   bool isOfOther(const std::optional<TableColumn>& column) const { return column && column != m_name.column; }
 
-  /// Takes the further meaning of a word that may name a circle.
+  /// Adds the meaning of a word that does not name a circle.
   void takeWord(const std::string& word) {
     if (isCircleWord(word)) return;
     if (m_isZenith && means(Role::Distance, word)) return;
@@ -196,7 +196,7 @@ class NameReader {
            means(Role::Degrees, word);
   }
 
-  /// Takes a word for a face. The numbers 1 and 2 need a circle or another field in the heading.
+  /// Adds the face of a word; false without one. 1 and 2 need a circle or another field in the heading.
   bool takeFace(const std::string& word, bool isOfCircle) {
     const bool isOne = means(Role::FaceOne, word), isTwo = means(Role::FaceTwo, word);
     const bool isNumber = word == "1" || word == "2";
@@ -207,7 +207,7 @@ class NameReader {
     return true;
   }
 
-  /// A unit or a part of an angle; which of them is decided at the end.
+  /// Adds a unit or a part of an angle; `takeParts` decides which of them it is. False for other words.
   bool takeUnit(const std::string& word) {
     bool isTaken = false;
     const auto take = [&](Role role, bool& is) {

@@ -15,14 +15,14 @@ struct ColumnName {
   AngleUnit unit = AngleUnit::Unstated;
   std::string verticalCircle = {};  ///< the kind that the name states; may be empty
   double metres = 1;                ///< per unit of a distance
-  bool isHorizontal = false;        ///< of a distance
+  bool isHorizontal = false;        ///< the distance is horizontal
   bool isPart = false;  ///< degrees, minutes or seconds of `column`, or of the heading to the left or above
   AnglePart part = AnglePart::Degrees;
   bool isCentesimal = false;  ///< minutes and seconds are hundredths
   bool isGrad = false;        ///< the unit is called grad: degrees in German, gon in French
   int face = 0;               ///< 1 or 2 if the name states the face, else 0
   bool isWeak = false;        ///< names the column only if no other heading does: `H`, `No`
-  bool isSpanish = false;     ///< of a face: D and I mean directo and inverso
+  bool isSpanish = false;     ///< the letters D and I of a face mean directo and inverso
   bool isUnderstood = false;  ///< there is at least one word, and all are known
 };
 

@@ -24,7 +24,7 @@ namespace alidade {
 
 namespace {
 
-/// Is the row excluded, according to its cell?
+/// Does the cell exclude its row? Absent if it says neither yes nor no.
 std::optional<bool> flagOf(const std::string& text) {
   const std::string flag = lowerCase(text);
   if (isOneOf(flag, {"1", "yes", "true", "x", "ja", "wahr", "是", "sí", "si", "oui", "да"})) return true;
@@ -106,7 +106,7 @@ class CsvReader {
     m_recording.problems.push_back({line, column, what});
   }
 
-  /// False if the table cannot be read at all.
+  /// Plans the columns. False if the table cannot be read at all.
   bool makePlan(std::string_view text) {
     const TableBeginning beginning = beginningOfTable(text, m_layout.separator, m_layout.headRows);
     if (beginning.problem) {
@@ -148,7 +148,7 @@ class CsvReader {
       unused.push_back(Phrase::of("line %1 begins with # and is not used, though it holds a reading", line));
   }
 
-  /// A sentence for each unused column with values: of known content if `isBySession`, else of unknown.
+  /// A sentence for each unused column with values: with known meaning if `isBySession`, else without.
   std::vector<std::string> unusedSentences(bool isBySession) const {
     std::vector<std::string> sentences;
     for (std::size_t i = 0; i < m_unusedCells.size(); ++i)
@@ -191,7 +191,7 @@ class CsvReader {
     addSightings(row, sighting);
   }
 
-  /// Returns the reason why a row without readings is skipped; absent if it has a reading.
+  /// Returns the reason why a row is skipped: a mean, or no reading. Absent if the row is read.
   std::optional<UnreadRows::Kind> unreadKind(const CsvRow& row) const {
     using Kind = UnreadRows::Kind;
     if (isOfMean(row)) return Kind::Mean;
@@ -205,10 +205,10 @@ class CsvReader {
     return isHeading ? Kind::HeadingAgain : Kind::NoReading;
   }
 
-  /// A row without a reading that names both circles is the heading of another table.
+  /// Does a row without a reading name both circles? It is then the heading of another table.
   static bool namesOthers(const CsvRow& row) { return nameCircles(row.texts()); }
 
-  /// Does the first cell with a text, the point or the face name a mean?
+  /// Does the first cell with a text, the point, the round or the face name a mean?
   bool isOfMean(const CsvRow& row) const {
     bool isFirst = true;
     for (std::size_t i = 0; i < std::min(row.cells.size(), m_plan.columns.size()); ++i) {
@@ -272,7 +272,7 @@ class CsvReader {
     return angle.at[0] < row.cells.size() ? row.cells[angle.at[0]].column : 0;
   }
 
-  /// True if the row has this angle.
+  /// Enters an angle in the sighting. True if the row has this angle.
   Result<bool> readAngle(const PlannedAngle& angle, const CsvRow& row, RecordedSighting& sighting) {
     if (const auto problem = otherSignIn(angle, row)) return *problem;
     Result<FileAngle> read = angleIn(angle, cellTexts(angle, row), m_layout.unit);
@@ -341,7 +341,7 @@ class CsvReader {
     return std::nullopt;
   }
 
-  /// Takes the station or the distance.
+  /// Enters the station or the distance.
   void takeOther(const ColumnName& column, const CsvCell& cell, RecordedSighting& sighting) {
     if (column.column->other == TableColumn::Other::Station) {
       sighting.station = m_recording.stationNamed(fromPlainCell(cell.text));

@@ -169,7 +169,7 @@ bool CsvTable::isSeparator(char c) const {
   return c == '\t' || (c == ' ' && m_at + 1 < m_text.size() && blanks.find(m_text[m_at + 1]) != blanks.npos);
 }
 
-/// Blanks at the end of a line do not begin a cell.
+/// Passes a separator; true if a cell follows. Blanks at the end of a line do not begin a cell.
 bool CsvTable::passSeparator() {
   if (!areBlanks()) {
     ++m_at;

@@ -13,26 +13,25 @@ namespace alidade {
 
 struct CsvCell {
   std::string text;        ///< unquoted, without surrounding blanks
-  std::size_t column = 0;  ///< of its first character, from 1; 0 if the cell is in a later line than its
-                           ///< row's first
+  std::size_t column = 0;  ///< column of its first character, from 1; 0 if the cell is in a later
+                           ///< line than its row's first cell
 };
 
 struct CsvRow {
-  std::size_t line = 0;  ///< of its first cell, from 1
+  std::size_t line = 0;  ///< line of its first cell, from 1
   bool isRemark = false;
   std::vector<CsvCell> cells;
 
-  std::vector<std::string> texts() const;  ///< of its cells
+  std::vector<std::string> texts() const;  ///< texts of its cells
 };
 
 /// Splits a table into rows of cells (RFC 4180). Cells are separated by tabs, semicolons, | or commas, the
 /// first of these found in the first row, or by `separator`: a blank means any number of blanks and tabs,
-/// `wideBlanks` two or more (table_layout.h). A cell that begins with a double quote ends at the next single
-/// one and may hold anything; a quote inside is doubled. Quotes elsewhere mean arcseconds and stay, as in a
-/// row that holds only the signs ° ' ". Empty rows are skipped; lines that begin with #, unless
-/// it names the first column, are comments and split without it. Reading stops with a problem at an unclosed
-/// quote outside a comment, and at the limits of rows and columns. ^Z (0x1A) ends the table, as it ends a DOS
-/// file.
+/// `wideBlanks` two or more (table_layout.h). A cell that begins with a double quote ends at the next quote
+/// that is not doubled, and may hold anything. Quotes elsewhere mean arcseconds and stay, as do those in a
+/// row of only the signs ° ' ". Empty rows are skipped. A line that begins with # is a comment and is split
+/// without the #, unless the # names the first column. Reading stops with a problem at an unclosed quote
+/// outside a comment, and at the limits of rows and columns. ^Z (0x1A) ends the table, as it ends a DOS file.
 class CsvTable {
  public:
   explicit CsvTable(std::string_view text);
@@ -71,7 +70,7 @@ class CsvTable {
   std::optional<LineProblem> m_problem;
 };
 
-/// The text with ； or ， of an input method replaced by ; or ,; absent unless its first row has only those.
+/// The text with ； or ， replaced by ; or ,; absent unless its first row has no separators but these.
 std::optional<std::string> withPlainSeparators(std::string_view text);
 
 }  // namespace alidade

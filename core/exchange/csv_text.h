@@ -33,7 +33,7 @@ class CsvText {
   void add(std::string_view cell);
 
   std::string m_text;
-  bool m_isFirst = true;  ///< in its row
+  bool m_isFirst = true;  ///< the next cell is the first in its row
 };
 
 }  // namespace alidade

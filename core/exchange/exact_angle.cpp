@@ -12,7 +12,7 @@ namespace alidade {
 
 namespace {
 
-/// Digits with at most one point, within the range and resolution of any circle.
+/// Are these at most 15 digits, more than any circle has, with at most one point after the first digit?
 bool isCircleNumber(const std::string& number) {
   constexpr std::size_t most = 15;
   const auto digits = std::count_if(number.begin(), number.end(), isDigit);

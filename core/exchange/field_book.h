@@ -25,7 +25,7 @@ class FieldBook {
   bool add(RecordedSighting sighting);
   /// Enters the reading of a circle, and remarks on a carry.
   void enter(RecordedSighting& sighting, const RowField& circle, ExactAngle angle, std::size_t column);
-  /// Remarks once on a value that was interpreted: %1 in `sentence` is how often, %2 the first line.
+  /// Counts interpreted values for one remark: %1 in `sentence` is their number, %2 their first line.
   void note(const char* sentence, std::size_t line);
   /// Lists the content after the end of the file, if there is any.
   void setAsideTail(const TextLines& lines);
@@ -34,11 +34,11 @@ class FieldBook {
   void setAside(const std::string& what, std::size_t line);
   /// Lists a line outside the format. The first few are quoted; the others are counted.
   void setAsideLine(std::string_view text, std::size_t line);
-  /// Lists a part of a line in the same way.
+  /// Lists a part of a line outside the format, quoted or counted like such lines.
   void setAsidePart(std::string_view text, std::size_t line);
   /// Lists data that a session cannot hold but an instrument check can.
   void setAsideForCheck(const std::string& what, std::size_t line) { count(m_forCheck, what, line); }
-  /// The sightings that follow belong to this station.
+  /// Begins a station, to which the sightings that follow belong.
   void beginStation(const std::string& name, std::size_t line);
   /// Keeps the first value; a different later one is listed as unused under `name`.
   void keep(std::string& value, const std::string& text, const std::string& name, std::size_t line);

@@ -41,7 +41,7 @@ bool isNikonSighting(std::string_view line) {
          std::ranges::any_of(fields, isClockTime);
 }
 
-/// The word at the start of a GTS-7 line, if blanks and one value or several separated by commas follow it.
+/// The known word at the start of a GTS-7 line, with a blank after it; empty for other lines.
 std::string_view gts7Word(std::string_view line) {
   static constexpr std::array<std::string_view, 29> words{
       "JOB", "DATE", "NAME", "INST", "UNITS",  "SCALE", "ATMOS", "STN", "STA",  "XYZ",

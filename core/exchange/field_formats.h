@@ -4,8 +4,8 @@
 
 namespace alidade {
 
-// Does a text begin as files of these field books do? Tests marks that tables, GSI, M5 and SDR files lack;
-// for the rows of `fileFormats`.
+// Does a text begin like a file of this field book? Used by the rows of `fileFormats`. The tests look for
+// marks that tables, GSI, M5 and SDR files lack.
 
 /// `CO,Nikon RAW data format V2.00` and further comments (CO), or a station (ST) with sightings that have a
 /// time.
@@ -24,7 +24,7 @@ bool looksLikeTrimbleDc(std::string_view beginning);
 bool looksLikeIdex(std::string_view beginning);
 /// `   0005 INPUT … th       1.500 ih        0.000`: an address, 27 characters, values without units.
 bool looksLikeRec500(std::string_view beginning);
-/// `For XX|…`: a relative of M5, R4 and R5.
+/// `For XX|…`: another format of the family of M5, R4 and R5.
 bool looksLikeOtherZeiss(std::string_view beginning);
 /// `RINEX VERSION / TYPE`, `$GPGGA,…`: files of satellite receivers.
 bool looksLikeGnss(std::string_view beginning);

@@ -10,7 +10,7 @@ namespace alidade {
 struct FieldMark {
   enum class Kind {
     Axis,   ///< `number` is 0 or 180: the axis angle of the sightings that follow
-    Round,  ///< `number` of the round of the sightings that follow
+    Round,  ///< `number` is the round of the sightings that follow
     Zero,   ///< the next sighting is of the pointing zero
   };
   Kind kind = Kind::Zero;

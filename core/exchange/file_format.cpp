@@ -22,7 +22,7 @@ namespace alidade {
 
 namespace {
 
-/// Title lines that may precede the first line written by an instrument.
+/// Most title lines before the first line written by an instrument.
 constexpr std::size_t mostTitleLines = 19;
 
 using IsLine = bool (*)(std::string_view);
@@ -36,8 +36,8 @@ bool beginsWithLines(std::string_view beginning) {
                                         [](auto line) { return isBelowTitle(withoutIndent(line)); }));
 }
 
-/// Requires a whole GSI word: a number in a table may begin like one, and a listing may precede its words
-/// with other text.
+/// Does the line contain a whole GSI word? A number in a table may begin like one, and a listing may have
+/// other text before its words.
 bool isSoundGsi(std::string_view line) {
   constexpr int horizontal = 21, vertical = 22;
   const auto block = GsiBlocks({.number = 0, .text = line}).next();

@@ -27,20 +27,20 @@ struct FileFormat {
   const char* reason = nullptr;   ///< if the format is read: how it was recognised
   const char* refusal = nullptr;  ///< if not read: says so, with %1 for `name`, and what to do instead
   bool isBinary = false;          ///< the bytes are not text
-  bool mayHoldSession = false;    ///< a file opened under such a name is searched for a session
+  bool mayHoldSession = false;    ///< a file with such a suffix is searched for a session
 };
 
 /// All formats except tables, in the order in which they are tried. A file that matches none is a table.
 std::span<const FileFormat> fileFormats();
 
-/// The format whose beginning matches the UTF-8 text; null if none does and it may be a table.
+/// The format whose beginning matches the UTF-8 text; null if none does, so that the text may be a table.
 const FileFormat* formatOfText(std::string_view beginning);
 
 /// The problem of a file whose format has no reader.
 Problem notRead(const FileFormat& format);
 
-/// The text of a file of readings, as `utf8Text`. Files of binary formats fail with the name of their format;
-/// `fileName`, which may be empty, identifies those without a mark of their own.
+/// The text of a file of readings, converted by `utf8Text`. Files of binary formats fail with the name of
+/// their format; `fileName`, which may be empty, identifies those without a mark of their own.
 Result<std::string> readingsText(std::string_view bytes, std::string_view fileName = {});
 
 /// The readable formats, for a sentence: `Leica GSI-8 and GSI-16, Zeiss and Trimble M5, …, and tables`.

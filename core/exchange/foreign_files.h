@@ -5,12 +5,11 @@
 namespace alidade {
 
 // Do these first bytes, or this beginning of a text, belong to a file that cannot hold readings directly?
-// Tests the marks at the start of these formats; for the rows of `fileFormats`.
+// Used by the rows of `fileFormats`; the tests look for the marks at the start of these formats.
 
 bool looksLikePdf(std::string_view bytes);
 bool looksLikeExcel(std::string_view bytes);         ///< XLSX: a ZIP archive with the parts of a workbook
-bool looksLikeOpenDocument(std::string_view bytes);  ///< ODS, ODT: a ZIP archive whose first entry names its
-                                                     ///< kind
+bool looksLikeOpenDocument(std::string_view bytes);  ///< ODS, ODT: a ZIP archive that states its kind
 bool looksLikeArchive(std::string_view bytes);       ///< ZIP, gzip, 7z, RAR
 bool looksLikeOldOffice(std::string_view bytes);     ///< XLS, DOC before 2007
 bool looksLikeDatabase(std::string_view bytes);      ///< SQLite, Access

@@ -16,7 +16,7 @@ struct ProblemGroup {
   std::string text() const;  ///< `line 3, column 12: …`, and the number of others
 };
 
-/// Groups problems that differ only in the quoted text, in the order of their first occurrence.
+/// Groups problems that differ only in quoted texts and numbers, in the order of their first occurrence.
 std::vector<ProblemGroup> grouped(const std::vector<LineProblem>& problems);
 
 }  // namespace alidade

@@ -12,7 +12,7 @@ namespace alidade {
 namespace {
 
 constexpr std::size_t behindDegrees = 5, behindMil = 4;  // implied decimals if no decimal sign is written
-constexpr std::uint64_t mostUnits = 1'000'000'000;       // 9 digits: ten times the largest circle reading
+constexpr std::uint64_t mostUnits = 1'000'000'000;       // 9 digits are over ten times the largest reading
 
 /// The digits before and after the decimal sign.
 struct GsiNumber {

@@ -97,7 +97,7 @@ class GsiReader {
     return std::nullopt;
   }
 
-  /// The beginning of a circle word in a file cut there: "21.3".
+  /// Is the text the beginning of a circle word, such as "21.3" at the end of an incomplete file?
   static bool isCutCircle(std::string_view text) {
     constexpr std::size_t ofWord = 7;
     return text.size() < ofWord && (text.starts_with("21.") || text.starts_with("22.")) &&
@@ -129,7 +129,7 @@ class GsiReader {
       if (!word.isWhole && isText(word.index)) m_book.note(oddWidths, line);
   }
 
-  /// Point, instrument, station, date, code and remark, whose text is used unchanged.
+  /// Is the word's text used unchanged: point, instrument, station, date, code or remark?
   static bool isText(int index) {
     return (index >= pointIndex && index <= dateIndex) || index == codeIndex || index == codeNumberIndex ||
            (index >= 71 && index <= 79);
@@ -159,8 +159,8 @@ class GsiReader {
     return word.index == codeIndex || word.index == codeNumberIndex;
   }
 
-  /// The station that the block begins: total stations write code 21, older ones 2, with its name in the
-  /// first information.
+  /// The station that the code block begins. Total stations write code 21, older ones 2, with the station's
+  /// name in word 42.
   static std::optional<std::string> stationOf(const std::string& code, const std::string& further) {
     const bool isSetUp = (code == "21" || code == "2") && !further.empty();
     return isSetUp ? std::optional(further) : stationMark(code, further);
@@ -216,14 +216,14 @@ class GsiReader {
     m_book.add(std::move(sighting));
   }
 
-  /// Remarks on angles that were keyed in or calculated.
+  /// Adds remarks on angles that were keyed in or calculated.
   void noteInput(const std::vector<GsiWord>& words, std::size_t line) {
     for (const GsiWord& word : words)
       if (circleOf(word) && (word.input == '1' || word.input == '4'))
         m_book.note(word.input == '1' ? keyedIn : workedOut, line);
   }
 
-  /// The circle that the word reads; null for other words.
+  /// The field of the circle whose reading the word is; null for other words.
   static const RowField* circleOf(const GsiWord& word) {
     if (word.index == horizontalIndex) return &rowField(&Reading::horizontal);
     return word.index == verticalIndex ? &rowField(&Reading::vertical) : nullptr;
@@ -244,7 +244,7 @@ class GsiReader {
     return true;
   }
 
-  /// Takes the distance; the slope distance if both are given.
+  /// Enters the distance; the slope distance if both are given.
   void takeDistance(const GsiWord& word, std::size_t line, RecordedSighting& sighting) {
     if (!word.isWhole) return m_book.setAside(gsiWordName(word.index), line);
     m_book.setAsideForCheck(gsiWordName(word.index), line);

@@ -21,11 +21,11 @@ namespace alidade {
 ///     write code 21 or 2 instead, with the name in word 42
 ///
 /// A block without angles but with a station's coordinates or the instrument's height (84-86, 88) names the
-/// station by its point; word 16 names it alone. A session does not use stations and distances (31, 32).
+/// station by its point; word 16 alone names it, too. A session does not use stations and distances (31, 32).
 ///
-/// POS and POSITION mean AXIS too, in any case. A code in the block of a sighting holds for it and for the
-/// following ones. `unused` lists torn or unknown words that do not matter, and lines without words. A line
-/// is refused if a circle, the point or a mark is torn. Remarks count the angles that were keyed in or
+/// POS and POSITION mean AXIS too, in any case. A code in the block of a sighting holds for this sighting and
+/// the following ones. `unused` lists torn or unknown words that do not matter, and lines without words. A
+/// line is refused if a circle, the point or a mark is torn. Remarks count the angles that were keyed in or
 /// calculated (position 5 of their word), or had 60 seconds.
 Recording readGsi(std::string_view text, const std::string& zeroPoint = {});
 

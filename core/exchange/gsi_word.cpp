@@ -41,14 +41,14 @@ bool isNearlyWord(std::string_view text) {
   return sign > 2 && sign <= farthestSign && isDigit(text[0]) && isDigit(text[1]) && isInformation(text[2]);
 }
 
-/// Can a word end before this text? It is empty, another word or the * of a block.
+/// Can a word end before this text? After blanks it must be empty or another word, perhaps after a *.
 bool isBeforeWord(std::string_view text) {
   text.remove_prefix(blanksAt(text));
   if (text.starts_with('*')) text.remove_prefix(1);
   return text.empty() || beginsWord(text);
 }
 
-/// A number with a decimal sign, which makes the data one character longer.
+/// Is the data a number with a decimal sign, which makes the data one character longer?
 bool hasWrittenPoint(std::string_view data) {
   return data.find_first_of(".,") != std::string_view::npos &&
          std::all_of(data.begin(), data.end(),
@@ -84,7 +84,7 @@ bool isCheckSum(std::string_view text) {
          text.find_first_not_of("0123456789ABCDEFabcdef", 1) == std::string_view::npos;
 }
 
-/// A comma or semicolon, which some programs write between words and after the last.
+/// Is this a comma or semicolon, which some programs write between words and after the last?
 bool isSeparator(std::string_view text) {
   if (text.empty() || (text[0] != ',' && text[0] != ';')) return false;
   text.remove_prefix(1);
@@ -115,7 +115,7 @@ std::size_t endBeforeWord(std::string_view text) {
   return text.size();
 }
 
-/// A word as almost all are: exactly the format's width in ASCII characters without a blank.
+/// Is the word like almost all: of exactly the format's width in ASCII characters, without a blank?
 bool isPlainWord(std::string_view text, std::size_t width) {
   if (text.size() < width || (text.size() > width && text[width] != ' ')) return false;
   return std::all_of(text.begin(), text.begin() + static_cast<std::ptrdiff_t>(width),
@@ -203,7 +203,7 @@ void GsiBlocks::skipBlanks() {
   skip(blanksAt(m_rest));
 }
 
-/// Takes the mark of a wide block if a word follows it.
+/// Skips the * of a wide block if a word follows it; false if there is none.
 bool GsiBlocks::takeStar() {
   if (!m_rest.starts_with('*')) return false;
   const std::size_t behind = 1 + blanksAt(m_rest.substr(1));
@@ -290,7 +290,7 @@ std::string whyNoWord(std::string_view text) {
       quotation(first));
 }
 
-/// The first damaged word of a block.
+/// The problem of the first damaged word of a block.
 std::optional<LineProblem> firstTorn(const GsiBlock& block, const TextLine& line) {
   std::optional<LineProblem> first;
   const auto take = [&](const GsiWord& word, const std::string& what) {

@@ -29,7 +29,7 @@ struct GsiWord {
   char unit = '.';          ///< position 6
   char sign = '+';          ///< '+' or '-'
   std::string_view data;    ///< if `isWhole`, 8 or 16 characters, one more with a decimal sign
-  std::size_t column = 0;   ///< of its first character, from 1
+  std::size_t column = 0;   ///< column of its first character, from 1
   char compensator = '.';   ///< position 4
   char input = '.';         ///< position 5
   bool isWhole = true;      ///< the data has a width of the format
@@ -68,7 +68,7 @@ class GsiBlocks {
   bool m_isMarked = false, m_hasStar = false;
 };
 
-/// The words of a line that is one sound block, as an instrument sends it.
+/// The words of a line as an instrument sends it; the first problem if any word is torn.
 std::variant<std::vector<GsiWord>, LineProblem> gsiWords(const TextLine& line);
 
 /// The data without leading zeros and blanks: "0000A110" is "A110", "00000000" is "0".
@@ -82,7 +82,7 @@ enum class GsiPoint { BehindDegrees, BehindSeconds };
 std::optional<GsiPoint> gsiPoint(const GsiWord& word);
 
 /// The angle of a word in a notation of `parseAngle`, with every digit kept: `133.84650gon`, `123.45670°`,
-/// `35°45'10.0"`; mil as exact decimal degrees; a full turn as 0. Else why the word has none.
+/// `35°45'10.0"`; mil as exact decimal degrees; a full turn as 0. Else the reason why there is none.
 std::variant<ExactAngle, LineProblem> gsiExactAngle(const GsiWord& word, std::size_t line,
                                                     std::optional<GsiPoint> point = {});
 

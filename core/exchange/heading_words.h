@@ -13,7 +13,7 @@ enum class HeadingRole {
   Turn,
   Station,
   Point,
-  Numbering,  ///< a number or a name: the point, if nothing else names one
+  Numbering,  ///< a number or a name; the point, unless another heading names it
   Round,
   Face,
   Horizontal,
@@ -44,7 +44,7 @@ enum class HeadingRole {
   GonSecondPart,
   FaceOne,
   FaceTwo,
-  SpanishCircle,  ///< with D and I for directo and inverso
+  SpanishCircle,  ///< Spanish, so that D and I mean directo and inverso
   Metre,
   Millimetre,
   DistanceWord,  ///< has a meaning only in a distance: `slope`

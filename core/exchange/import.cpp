@@ -59,7 +59,7 @@ Result<Recording> readFileOf(const ReadingsFile& file, const ImportOptions& opti
   return recording;
 }
 
-/// The problem if files differ in the kind of vertical circle, among them or from a session with readings.
+/// The problem if files differ in the kind of vertical circle from each other or from a base with readings.
 std::optional<Problem> twoKindsOfCircle(const std::vector<Recording>& recordings,
                                         const ImportOptions& options) {
   const Session& base = options.base;

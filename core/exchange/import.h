@@ -17,22 +17,20 @@ namespace alidade {
 
 /// A file of readings, and what the user states about it.
 struct ReadingsFile {
-  std::string name;                              ///< for sentences and the journal
+  std::string name;                              ///< name in sentences and in the journal
   std::string_view bytes;                        ///< owned by the caller
-  std::string axis = {};                         ///< 0 or 180, for all rows; empty: as the file states
-  std::string round = {};                        ///< of all rows; empty: as the file states
-  std::optional<std::size_t> turnedAtLine = {};  ///< if the file does not state the axis: 180° from this line
-                                                 ///< on, 0° before
-  std::optional<TableLayout> table = {};  ///< layout of a table; absent: as its column names say
+  std::string axis = {};                         ///< axis of all rows, 0 or 180; empty: as the file states
+  std::string round = {};                        ///< round of all rows; empty: as the file states
+  std::optional<std::size_t> turnedAtLine = {};  ///< if no axis is stated: 180° from this line on, 0° before
+  std::optional<TableLayout> table = {};         ///< layout of a table; absent: as its column names say
 };
 
 /// Options for all files of an import.
 struct ImportOptions {
   Session base = blankSession();            ///< the session that receives the readings, after any it has
-  AngleUnit unit = AngleUnit::Unstated;     ///< of plain numbers in CSV columns whose heading has none
-  std::string zeroPoint;                    ///< the point that is the pointing zero; empty: ZERO, and in an
-                                            ///< instrument's file also 0
-  std::optional<std::size_t> turnedAtLine;  ///< of a single file, as in `ReadingsFile`
+  AngleUnit unit = AngleUnit::Unstated;     ///< unit of plain numbers in columns whose heading states none
+  std::string zeroPoint;                    ///< name of the zero; empty: ZERO, in instrument files also 0
+  std::optional<std::size_t> turnedAtLine;  ///< for a single file, as in `ReadingsFile`
 };
 
 /// The source of the rows of a position: the lines of a file, in row order.
@@ -45,13 +43,12 @@ struct ImportedRows {
 /// A session made from files of readings, or a session with their readings added.
 struct Import {
   Session session;
-  std::string format;    ///< as the readers name it: "GSI-8", "SDR33", "JobXML", "CSV"; all formats of
-                         ///< several files
-  std::size_t rows = 0;  ///< of imported readings, excluded ones included
+  std::string format;                 ///< all formats of the files: "GSI-8", "SDR33", "JobXML", "CSV"
+  std::size_t rows = 0;               ///< number of imported rows, excluded ones included
   std::vector<LineProblem> problems;  ///< in the order of files and lines. Invalid entries are in the session
                                       ///< as read; unreadable lines are not
   std::vector<std::string> remarks;   ///< sentences on assumptions and on what was not used
-  std::vector<ImportedRows> origins;  ///< of all imported rows, in the order of positions and rows
+  std::vector<ImportedRows> origins;  ///< sources of all imported rows, in the order of positions and rows
   std::vector<std::size_t> unplaced;  ///< indices of files without an axis, put at 0°
 };
 

@@ -13,7 +13,7 @@ std::string linesText(const ImportedRows& rows);
 
 /// A file that was imported.
 struct ImportedFile {
-  std::string name, sha256;  ///< of its bytes
+  std::string name, sha256;  ///< name, and SHA-256 of the file's bytes
 };
 
 /// One entry for the rows of each file in each position, without time, operator and hash: their lines in the

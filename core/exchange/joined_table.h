@@ -12,7 +12,7 @@ namespace alidade {
 /// Rows of a table, as copied from a spreadsheet, with a field for each column.
 struct JoinedTable {
   std::vector<TableColumn> columns;  ///< angles are whole; each face has a row of its own
-  std::vector<std::string> names;    ///< of `columns`, as written
+  std::vector<std::string> names;    ///< names of `columns`, as written
   std::vector<TableCells> rows;      ///< a cell for each column; plain numbers have the unit of their heading
   std::vector<std::string> unplaced;  ///< headings of columns without a field
 };

@@ -77,7 +77,7 @@ class LandXmlReader {
     return false;
   }
 
-  /// Takes the names of the points that observations refer to.
+  /// Collects the oIDs of points by the names with which observations refer to them.
   void takePoints(const pugi::xml_node& points) {
     for (const pugi::xml_node point : points.children()) {
       const std::string name = xmlValue(point, "name"), id = xmlValue(point, "oID");
@@ -179,7 +179,7 @@ class LandXmlReader {
 
   XmlBook m_book;
   AngleUnit m_unit = AngleUnit::Radians;
-  bool m_hasUnit = false;                       ///< else the schema's default applies
+  bool m_hasUnit = false;                       ///< the file names its unit of angles; else radians apply
   double m_metres = 1;                          ///< per unit of length of the file; 0 if the unit is unknown
   std::map<std::string, std::string> m_points;  ///< oID by name
   std::size_t m_line = 1;

@@ -31,7 +31,7 @@ struct Block {
 /// A number with its type and unit, such as `Hz 34.9078 gon`.
 struct Value {
   std::string type, number, unit;
-  std::size_t column = 0;  ///< of the number; of the block if it has none
+  std::size_t column = 0;  ///< column of the number; without one, of the block
 };
 
 std::vector<Block> blocksOf(std::string_view line) {
@@ -57,7 +57,7 @@ std::vector<Block> wordsIn(const Block& block) {
   return words;
 }
 
-/// Is the block a point or a text, in a line without an address?
+/// Does the block contain a point or a text, instead of an address?
 bool isPointOrText(const Block& block) {
   return block.text.starts_with("PI") || block.text.starts_with("TI") || block.text.starts_with("TO");
 }
@@ -164,8 +164,8 @@ class M5Reader {
     m_book.setAside(Phrase::of("the text %1", quotation(text)), line);
   }
 
-  /// The programs that set up the instrument with sightings of known points: KN STAT, UN STAT. EL STAT only
-  /// gives the current station its height.
+  /// Is this a program that sets up the instrument with sightings of known points: KN STAT, UN STAT? EL STAT
+  /// only gives the current station its height.
   static bool isSetUp(std::string_view text) { return text.ends_with(" STAT") && !text.starts_with("EL "); }
 
   /// The whole text of a value 01 or 02: these have no unit, so `M3 5"DR` is one name.
@@ -206,7 +206,7 @@ class M5Reader {
     if (m_book.add(std::move(sighting)) && isNamed && m_isSetUp) m_book.note(backsightZero, line);
   }
 
-  /// Code S marks a point as the station, which a program writes before its sightings.
+  /// Reads a point without angles. Code S marks the station, which a program writes before its sightings.
   void readPointAlone(const RecordedSighting& point, std::size_t line) {
     const std::string& note = point.row.note;
     const bool isStation = note == "S" || note.ends_with(" S");

@@ -16,14 +16,14 @@ bool looksLikeM5(std::string_view line);
 ///   columns 1-6: For M5; 8-16: Adr and address; 18-20 and 22-48: PI and a point, or TI or TO and a text;
 ///   50-71, 73-94, 96-117: three numbers, each with type (2), value (14) and unit (4); 119: e for an error
 ///
-/// The bars count, not the columns: some programs pad less. A line of a point (PI) with Hz and V1, zenith
-/// angle, or V3, height angle, is one sighting. The units are gon, DEG, DMS (89.1413 is 89°14'13") and mil.
-/// If a heading line gives the place of the point within the 22-48 field, its 12 characters are the point,
-/// else the last word is. The text before it becomes the note. 01 and 02 are the instrument. Texts have the
-/// meaning of code blocks in GSI (gsi_reader.h), and points 0 and ZERO, or `zeroPoint`, are the pointing
-/// zero. The file does not state the face. A set-up text such as KN STAT begins a station, and a point of
-/// code S before its sightings names it. `unused` lists data that a session cannot hold. The address may be
-/// missing.
+/// Bars, not columns, separate the blocks: some programs pad less. A line of a point (PI) with Hz and V1,
+/// zenith angle, or V3, height angle, is one sighting. The units are gon, DEG, DMS (89.1413 is 89°14'13") and
+/// mil. If a heading line gives the place of the point within the 22-48 field, its 12 characters are the
+/// point, else the last word is. The text before it becomes the note. 01 and 02 are the instrument. Texts
+/// have the meaning of code blocks in GSI (gsi_reader.h), and points 0 and ZERO, or `zeroPoint`, are the
+/// pointing zero. The file does not state the face. A set-up text such as KN STAT begins a station, and a
+/// point of code S before its sightings names it. `unused` lists data that a session cannot hold. The address
+/// may be missing.
 Recording readM5(std::string_view text, const std::string& zeroPoint = {});
 
 }  // namespace alidade

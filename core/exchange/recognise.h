@@ -22,14 +22,14 @@ struct Recognised {
   std::string name;                       ///< for people: "Leica GSI", "Table"
   TableLayout table;                      ///< proposal for a table; `columns` has a key for each column
   std::vector<std::string> titles;        ///< column names in the file; empty if it has none
-  std::vector<JoinableColumns> joinable;  ///< of a table, in the order of their first column
+  std::vector<JoinableColumns> joinable;  ///< columns that may form angles, in the order of the first
   bool saysAxis = false;                  ///< the file states the axis
-  bool asksUnit = false;                  ///< of a table: the circles hold plain numbers without a named unit
+  bool asksUnit = false;                  ///< the circles of a table are plain numbers without a named unit
   std::vector<std::string> reasons;       ///< sentences without a full stop that explain the proposal
 
   bool isTable() const { return format == nullptr; }
 
-  /// Equal for files of the same make: the choices made for one apply to the next.
+  /// A text that is equal for files of the same make: the choices made for one apply to the next.
   std::string signature() const;
 };
 

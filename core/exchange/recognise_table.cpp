@@ -28,7 +28,7 @@ std::vector<TableCells> rowsOf(std::string_view text, char separator) {
   return beginningOfTable(text, separator, 0).sample;
 }
 
-/// The number of cells that are angles with decimals or signs, in rows split this way.
+/// The number of cells in the rows that are angles with decimals or signs.
 std::size_t wholeAngles(const std::vector<TableCells>& rows) {
   std::size_t count = 0;
   for (const TableCells& row : rows)
@@ -36,7 +36,7 @@ std::size_t wholeAngles(const std::vector<TableCells>& rows) {
   return count;
 }
 
-/// The usual number of cells in rows of readings; 0 if hardly any two rows agree.
+/// The number of cells in more than half of the rows of readings; 0 if no number is that frequent.
 std::size_t usualWidth(const std::vector<TableCells>& rows) {
   std::map<std::size_t, std::size_t> counts;
   std::size_t all = 0, most = 0, width = 0;
@@ -50,7 +50,7 @@ std::size_t usualWidth(const std::vector<TableCells>& rows) {
   return 2 * most > all ? width : 0;
 }
 
-/// Whether readings are found below the names of the circles.
+/// Do the names of the circles have readings below them?
 struct NamesFit {
   bool areNamed = false;  ///< a row names both circles
   bool fits = false;      ///< most rows of readings have angles in these columns
@@ -98,8 +98,8 @@ class TableRecognition {
  private:
   void reason(const std::string& sentence) { m_found.reasons.push_back(sentence); }
 
-  /// Tabs, semicolons and | always separate cells; commas and blanks only if the rows have equal numbers of
-  /// cells.
+  /// Tabs, semicolons and | always separate cells. Otherwise blanks do if they fit the rows better than
+  /// commas; else commas.
   void chooseSeparator() {
     const std::string_view line = firstLine();
     for (const char separator : {'\t', ';', '|'})
@@ -247,8 +247,8 @@ class TableRecognition {
     return numbers;
   }
 
-  /// Only gon exceed 360 on a circle; only decimal degrees and gon have decimals beyond 59 in the place of
-  /// minutes.
+  /// Proposes the unit. Only readings in gon exceed 360; only decimal degrees and gon have more than 59 in
+  /// the place of minutes.
   void chooseUnit() {
     const std::vector<double> horizontal = plainOf("horizontal"), vertical = plainOf("vertical");
     std::vector<double> all = horizontal;

@@ -65,7 +65,7 @@ std::string withUnit(const std::string& text, AngleUnit unit) {
   if (unit == AngleUnit::Degrees) return plain + "°";
   if (unit == AngleUnit::Gon) return plain + "gon";
   if (unit == AngleUnit::Radians) {
-    constexpr int decimals = 10;  // of a degree: about a millionth of an arcsecond
+    constexpr int decimals = 10;  // 10⁻¹⁰°, less than a millionth of an arcsecond
     const Result<double> radians = parseNumber(plain);
     return radians ? fixedText(Angle::fromRadians(*radians).degrees(), decimals) + "°" : text;
   }

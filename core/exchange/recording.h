@@ -38,12 +38,12 @@ struct RecordedSighting {
   Reading row;  ///< angles in a notation of `parseAngle`
   /// The column in the line of each field of `rowFields`, in that order; counted as in LineProblem.
   std::array<std::size_t, rowFields.size()> columns{};
-  bool isZero = false;                ///< of the pointing zero instead of the slider
-  int time = 1;                       ///< the repeat at its axis if `hasTurns`; else yet to be determined
+  bool isZero = false;                ///< a sighting of the pointing zero instead of the slider
+  int time = 1;                       ///< the repeat at its axis if `tellsTurns`; else yet to be determined
   std::size_t file = 0;               ///< index of its file; readers of a file do not set it
   std::size_t station = 0;            ///< index among the recording's `stations`
   double distanceM = 0;               ///< 0: not in the file
-  bool isDistanceHorizontal = false;  ///< else along the line of sight
+  bool isDistanceHorizontal = false;  ///< else the distance is along the line of sight
 
   void enter(const RowField& field, std::string text, std::size_t column);
   std::size_t columnOf(const RowField& field) const;
@@ -66,7 +66,7 @@ struct Recording {
   /// A sentence for each kind of data that only the instrument check uses: stations and distances.
   std::vector<std::string> unusedBySession;
   std::vector<LineProblem> distanceProblems;  ///< unreadable distances; the rest of their lines is used
-  std::map<std::string, std::size_t> stationIndices;  ///< of `stations`
+  std::map<std::string, std::size_t> stationIndices;  ///< indices into `stations` by name
   std::vector<std::string> stations{{}};              ///< names; the first, empty, is used if none is stated
 
   /// The index of a station; an unknown one is added.
@@ -78,7 +78,7 @@ enum class AngleUnit {
   Unstated,
   Degrees,  ///< 341.873333
   Gon,      ///< 379.859259
-  Radians,  ///< 5.966816; of columns that state it
+  Radians,  ///< 5.966816; only in columns that state this unit
   Dms,      ///< 341.5224: degrees, then two digits of minutes, two of seconds, and their decimals
 };
 

@@ -126,7 +126,7 @@ class SdrReader {
   }
 
   void readRecord(TextLine line) {
-    constexpr char begins = '\x02', ends = '\x03';  // of a transmission
+    constexpr char begins = '\x02', ends = '\x03';  // marks of a transmission
     constexpr std::size_t longestCheckSum = 5;
     if (line.text.starts_with(begins)) line.text.remove_prefix(1);
     const std::string plain = trimmed(line.text);
@@ -140,7 +140,7 @@ class SdrReader {
     if (type == "01") return readInstrument(line);
     if (type == "02") return takeStation(fieldOf(line.text, columns(line).station), line.number);
     if (type == "09") return readObservation(line, from);
-    if (type == "13") return from == "TS" ? void() : readNote(line);  // the time
+    if (type == "13") return from == "TS" ? void() : readNote(line);  // TS: the time
     readUnused(line, type, from);
   }
 
@@ -259,7 +259,7 @@ class SdrReader {
     return true;
   }
 
-  /// Requires the same kind of vertical circle in all jobs of a file.
+  /// Keeps the kind of vertical circle. False, with a problem, if earlier jobs have the other kind.
   bool takeCircle(std::size_t line) {
     if (!m_isElevation) return true;
     std::string& known = m_book.recording().verticalCircle;
@@ -284,7 +284,7 @@ class SdrReader {
   bool m_is33 = true, m_hasHeading = false;
   std::string m_station;              ///< current station
   std::size_t m_firstMean = 0;        ///< line of the first 09MC; 0 if there is none
-  std::optional<std::string> m_unit;  ///< of the job; absent if it cannot be read
+  std::optional<std::string> m_unit;  ///< unit of angles of the job; absent if it cannot be read
   std::optional<bool> m_isElevation;  ///< kind of vertical circle; absent if the job does not state it
 };
 

@@ -25,7 +25,7 @@ bool looksLikeSdr(std::string_view line);
 /// Points 0 and ZERO, or `zeroPoint`, are the pointing zero. Records 09MC hold corrected means and azimuths
 /// instead of circle readings: `unused` lists them with all else that a session cannot hold, such as deleted
 /// (DD) and unknown records. A file with nothing else is refused. Mils are refused: descriptions disagree on
-/// their number in the heading.
+/// their code in the heading.
 Recording readSdr(std::string_view text, const std::string& zeroPoint = {});
 
 }  // namespace alidade

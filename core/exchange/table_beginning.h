@@ -14,14 +14,14 @@ namespace alidade {
 struct TableBeginning {
   std::vector<TableCells> head;          ///< rows before the readings, at most as many as the layout states
   std::vector<TableCells> sample;        ///< following rows, up to 200
-  std::size_t nameLine = 0;              ///< of the last row of `head`
-  std::vector<std::size_t> nameColumns;  ///< start of its cells, as in `CsvCell`
+  std::size_t nameLine = 0;              ///< line of the last row of `head`
+  std::vector<std::size_t> nameColumns;  ///< columns of the cells of that row, as in `CsvCell`
   std::optional<LineProblem> problem;    ///< why these rows cannot be split
 };
 
 TableBeginning beginningOfTable(std::string_view text, char separator, std::size_t headRows);
 
-/// `separator` 0: determined from the first row.
+/// The table with this separator of cells; 0: determined from the first row.
 CsvTable tableOf(std::string_view text, char separator);
 
 }  // namespace alidade

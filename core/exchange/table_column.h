@@ -17,25 +17,25 @@ enum class AnglePart {
   Seconds,
 };
 
-/// The content of a table's column: a field of a row, or data about it.
+/// The content of a table's column: a field of a row, or data about the row.
 struct TableColumn {
   enum class Other {
     Axis,      ///< the axis angle
     Turn,      ///< the repeat at that axis
     Station,   ///< the instrument's station, which a session does not use
-    Distance,  ///< to the target, in m unless stated otherwise; a session does not use it
+    Distance,  ///< distance to the target, in m unless stated otherwise; not used in a session
   };
   const RowField* field = nullptr;  ///< null: see `other`
   Other other = Other::Axis;
-  AnglePart part = AnglePart::Degrees;  ///< of an angle
-  bool isFaceTwo = false;               ///< of face 2, if its circles have columns of their own in the row
+  AnglePart part = AnglePart::Degrees;  ///< part of an angle
+  bool isFaceTwo = false;               ///< a reading of face 2, where a row has columns for both faces
 
-  /// As in `TableLayout::columns`: `horizontal`, `horizontal_minutes`, `vertical_2`, `vertical_2_seconds`.
+  /// The key as in `TableLayout::columns`: `horizontal`, `horizontal_minutes`, `vertical_2_seconds`.
   std::string key() const;
-  /// Does a session hold it?
+  /// Does a session have this content?
   bool isOfSession() const { return field || other == Other::Axis || other == Other::Turn; }
   bool isOf(std::string Reading::*text) const { return field && field->text == text; }
-  /// Is it one of the two circles?
+  /// Is the content a reading of one of the two circles?
   bool isCircle() const { return field && field->remedy; }
 
   static constexpr std::array<std::string_view, 4> otherKeys{"axis", "turn", "station", "distance"};

@@ -10,7 +10,7 @@ namespace alidade {
 
 /// Could the cell be a circle reading, once its unit is known?
 bool mayBeAngle(const std::string& cell);
-/// Is it a number with decimals, or an angle with signs?
+/// Does the cell have a decimal sign, or is it an angle with signs or separators?
 bool hasDecimals(const std::string& cell);
 
 /// Guesses the columns of a table without names, as keys of `TableLayout::columns`. The circles are degrees,

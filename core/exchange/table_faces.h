@@ -7,8 +7,8 @@
 namespace alidade {
 
 /// The names of the faces in one table. Paired with I under a Spanish heading, D is directo; paired with R,
-/// it is direct; with G, droite. CD is círculo directo if paired with CI and cercle droit with CG. Alone they
-/// are ambiguous and mean nothing.
+/// it is direct; with G, droite. CD is círculo directo if paired with CI and cercle droit with CG. Without
+/// such a pair these letters are ambiguous and mean nothing.
 class FaceWords {
  public:
   FaceWords() = default;

@@ -33,7 +33,7 @@ std::optional<AnglePart> partAlone(const std::string& heading) {
   return name.part;
 }
 
-/// If Hm is among the names, Hd means degrees and not a distance; so too Vd with Vm.
+/// Separates the part: Hd means degrees and not a distance if Hm is among the names; likewise Vd with Vm.
 std::string withItsPart(const std::string& name, const TableCells& names) {
   const std::string folded = foldedText(name);
   if (folded != "hd" && folded != "vd") return name;
@@ -125,7 +125,7 @@ std::string TableHeadings::lowest(std::size_t column, std::size_t from) const {
   return {};
 }
 
-/// A heading above spans columns that name a circle, a part or a face, but none that names another field.
+/// May a heading above span this column, which must name a circle, a part or a face, but no other field?
 bool TableHeadings::mayInherit(std::size_t column, std::size_t from) const {
   const std::string below = lowest(column, from);
   if (below.empty()) return false;

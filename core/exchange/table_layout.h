@@ -25,8 +25,8 @@ struct TableLayout {
   /// "horizontal_seconds"; the second face in the same row "horizontal_2" … (table_column.h). Empty list: as
   /// the names say.
   std::vector<std::string> columns = {};
-  AngleUnit unit = AngleUnit::Unstated;           ///< of plain numbers in columns without a named unit
-  DecimalSign decimalSign = DecimalSign::Either;  ///< of angles
+  AngleUnit unit = AngleUnit::Unstated;           ///< unit of plain numbers in columns that name none
+  DecimalSign decimalSign = DecimalSign::Either;  ///< decimal sign of angles
   bool needsVertical = true;  ///< false: also reads tables of directions alone, with empty vertical readings
   bool needsCircles = true;   ///< false: also accepts columns without a circle, as in pasted rows
   bool seriesIsStation = false;  ///< if there are rounds, a column `series` distinguishes stations

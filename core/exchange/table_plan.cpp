@@ -92,7 +92,7 @@ class TablePlanner {
         m_plan.columns, [&](const ColumnName& name) { return name.column == column && name.face == face; });
   }
 
-  /// In `Hz (°)`, `(')`, `(")`, a part without a circle belongs to the circle to its left.
+  /// Gives a part without a circle to the circle to its left, as in `Hz (°)`, `(')`, `(")`.
   void inheritParts() {
     Columns& columns = m_plan.columns;
     for (std::size_t i = 1; i < columns.size(); ++i) {
@@ -156,7 +156,7 @@ class TablePlanner {
         name.column.reset();
   }
 
-  /// Decides what `series` means next to a round or a set.
+  /// Makes `series` the station if another column names the round.
   void takeSeries() {
     if (!m_layout.seriesIsStation || has({nullptr, TableColumn::Other::Station}, 0)) return;
     std::vector<std::size_t> rounds;
@@ -175,8 +175,8 @@ class TablePlanner {
     return faces;
   }
 
-  /// Headings state faces only if both circles do so alike; else they mean something else, such as V1 of an
-  /// M5 file.
+  /// Headings state faces only if those of both circles state the same ones. Otherwise the words mean
+  /// something else, as V1 in an M5 file.
   void determineFaces() {
     std::set<int> horizontal = facesOf(&Reading::horizontal), vertical = facesOf(&Reading::vertical);
     for (std::set<int>* faces : {&horizontal, &vertical})
@@ -247,7 +247,7 @@ class TablePlanner {
                                m_plan.nameOf(column)));
     if (!angle.isJoined()) return;
     const std::vector<std::string> words = headingWords(m_plan.names[degrees]);
-    const bool isLetter = !words.empty() && words.back() == "g";  // of grados, next to minutes and seconds
+    const bool isLetter = !words.empty() && words.back() == "g";  // g of grados
     if (isLetter && angle.unit == AngleUnit::Gon && hasSexagesimal(angle)) angle.unit = AngleUnit::Degrees;
     const bool isGon = angle.unit == AngleUnit::Gon ||
                        (angle.unit == AngleUnit::Unstated && m_layout.unit == AngleUnit::Gon);
@@ -261,7 +261,7 @@ class TablePlanner {
     angle.isCentesimal = angle.isCentesimal || isGon;
   }
 
-  /// Is there a column that is named as minutes or seconds?
+  /// Does the angle have a column named as minutes or seconds of a degree?
   bool hasSexagesimal(const PlannedAngle& angle) const {
     return std::any_of(angle.at.begin() + 1, angle.at.end(), [this](std::size_t at) {
       return at != PlannedAngle::none && m_plan.columns[at].isPart && !m_plan.columns[at].isCentesimal;
@@ -367,7 +367,7 @@ class TablePlanner {
 
   const TableLayout& m_layout;
   TableHeadings m_headings;
-  std::vector<TableCells> m_rows;  ///< of readings
+  std::vector<TableCells> m_rows;  ///< rows of readings
   TablePlan m_plan;
 };
 

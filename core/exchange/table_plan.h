@@ -19,10 +19,10 @@ struct PlannedAngle {
   static constexpr std::size_t none = std::numeric_limits<std::size_t>::max();
 
   const RowField* field = nullptr;
-  bool isFaceTwo = false;                           ///< of the second sighting in the row
-  std::array<std::size_t, 3> at{none, none, none};  ///< of the degrees or the whole angle, the minutes, the
-                                                    ///< seconds
-  AngleUnit unit = AngleUnit::Unstated;             ///< of plain numbers, if the angle has one column
+  bool isFaceTwo = false;                           ///< the angle belongs to the row's second sighting
+  std::array<std::size_t, 3> at{none, none, none};  ///< columns of the degrees or the whole angle, of the
+                                                    ///< minutes and of the seconds
+  AngleUnit unit = AngleUnit::Unstated;             ///< unit of plain numbers, if the angle has one column
   bool isCentesimal = false;                        ///< hundredths of gon in columns of their own
 
   bool isJoined() const { return at[1] != none; }
@@ -37,13 +37,13 @@ struct TablePlan {
   std::vector<PlannedAngle> angles;
   std::size_t rowsBelow = 0;   ///< rows of the sample that belong to the headings
   bool hasBothFaces = false;   ///< each row has columns for both faces
-  int face = 0;                ///< of all sightings, if the headings state it; else 0
+  int face = 0;                ///< face of all sightings, if the headings state it; else 0
   std::string verticalCircle;  ///< "zenith", "elevation", or empty
   /// The reason why the table cannot be read; the column counts from 0.
   std::optional<std::string> problem;
   std::size_t problemColumn = 0;
 
-  std::string nameOf(std::size_t column) const;  ///< in quotes, or its number
+  std::string nameOf(std::size_t column) const;  ///< the name in quotes, or the column's number
 };
 
 /// Plans a table. `head`: the rows before the readings, of which the last names the columns; `sample`: rows

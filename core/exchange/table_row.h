@@ -19,7 +19,7 @@ Result<FileAngle> angleIn(const PlannedAngle& angle, const std::array<std::strin
 /// The names of faces in the table's face column; empty without such a column.
 FaceWords faceWordsIn(const TablePlan& plan, const std::vector<TableCells>& rows);
 
-/// Counts texts that were interpreted or left out, for one sentence each.
+/// Counts texts that were interpreted or left out, for one sentence per kind.
 class FileCounts {
  public:
   enum class Kind { Carried, FullCircle, Beyond };

@@ -16,7 +16,7 @@ namespace alidade {
 
 namespace {
 
-/// Characters of Windows-1252 that occur in angles and differ from Latin-1; others of that range become �.
+/// A character of Windows-1252 that differs from Latin-1 and occurs in angles; � for the others.
 const char* windowsSign(unsigned char byte) {
   switch (byte) {
     case 0x85:
@@ -63,7 +63,7 @@ bool isWithin(char c, unsigned char first, unsigned char last) {
   return static_cast<unsigned char>(c) >= first && static_cast<unsigned char>(c) <= last;
 }
 
-/// Signs (A1-A9) and the 3755 common characters of GB 2312 (B0-D7).
+/// Is this a sign (A1-A9) or one of the 3755 common characters (B0-D7) of GB 2312?
 bool isCommonChinese(char lead, char trail) {
   return (isWithin(lead, 0xA1, 0xA9) || isWithin(lead, 0xB0, 0xD7)) && isWithin(trail, 0xA1, 0xFE);
 }
@@ -88,8 +88,8 @@ bool isCyrillicLetter(char c) {
   return isWithin(c, 0xC0, 0xFF) || isWithin(c, 0xA8, 0xA8) || isWithin(c, 0xB8, 0xB8);
 }
 
-/// Are most bytes beyond ASCII in words of three or more of them? Accented Latin letters are not. `only`:
-/// all of them must also be capitals, whose bytes may as well be common Chinese characters.
+/// Are most bytes beyond ASCII in words of three or more Cyrillic letters? Accented Latin letters are not.
+/// `only`: all bytes beyond ASCII must also be capitals, which may as well be common Chinese characters.
 bool looksCyrillic(std::string_view bytes, bool only) {
   constexpr std::size_t shortestWord = 3;
   std::size_t inWords = 0, all = 0, run = 0;

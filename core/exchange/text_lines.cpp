@@ -12,7 +12,7 @@ namespace {
 
 constexpr char endOfFile = '\x1A';
 
-/// Control characters that instruments send around their lines. ESC is not one of them.
+/// Is this a control character that instruments send around their lines? ESC is not one of them.
 bool isControl(char c) {
   constexpr unsigned char firstPrinting = 0x20, deletion = 0x7F, escape = 0x1B;
   const auto byte = static_cast<unsigned char>(c);

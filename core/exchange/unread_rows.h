@@ -10,10 +10,10 @@ namespace alidade {
 /// Does the cell name a mean, a sum or a difference of other rows: `Mittel`, `Mean of 3`, `平均`?
 bool namesMean(std::string_view cell);
 
-/// May the cell hold a number, in digits of any script?
+/// Does the cell contain a digit of any script?
 bool hasAnyDigit(std::string_view cell);
 
-/// Skipped rows of a table by kind, for one sentence each.
+/// Skipped rows of a table, for one sentence per kind.
 class UnreadRows {
  public:
   enum class Kind { Mean, HeadingAgain, NoReading };

@@ -33,7 +33,7 @@ std::string axisOf(const Position& position) {
 /// The sightings at an axis so far.
 struct AtAxis {
   int time = 0;               ///< repeat of the current position; 0: there is none yet
-  std::set<Visited> sighted;  ///< in that position
+  std::set<Visited> sighted;  ///< visits in the current position
 };
 
 /// Consecutive readings at the same axis angle.
@@ -51,7 +51,7 @@ std::vector<Turn> turnsOf(std::vector<RecordedSighting>& sightings) {
   return turns;
 }
 
-/// The last position at each axis and its sightings; `last` becomes the last axis with rows.
+/// The last position of `base` at each axis and its sightings; `last` becomes the last axis with rows.
 std::map<std::string, AtAxis> lastPositions(const Session& base, std::string& last) {
   std::map<std::string, AtAxis> axes;
   std::map<std::string, int> count;

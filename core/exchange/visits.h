@@ -15,19 +15,19 @@ using PositionKey = std::pair<std::string, int>;
 
 PositionKey positionOf(const RecordedSighting& sighting);
 
-/// `0°`, `0°, time 2`.
+/// `0°`, `0°, repeat 2`.
 std::string nameOf(const PositionKey& key);
 
 /// The position in the session; null if there is none.
 const Position* positionIn(const Session& session, const PositionKey& key);
 
-/// Assigns positions. A return of the axis begins a new repeat, with its own pointing zeros, if points are
-/// sighted again and nothing states another round. The rows of `base` came before; its position without rows
-/// is filled next.
+/// Assigns positions to the sightings. A return of the axis begins a new repeat, with its own pointing zeros,
+/// if points are sighted again and nothing states another round. The rows of `base` came before; a position
+/// of `base` without rows is filled next.
 void takePositions(std::vector<RecordedSighting>& sightings, const Session& base);
 
-/// If the file states no round, assigns the first that neither it nor `base` states for this point and face
-/// in the position. True if some are further rounds.
+/// Assigns a round to sightings without one: the first that neither the file nor `base` states for the point
+/// and face in the position. True if one is above 1.
 bool takeRounds(std::vector<RecordedSighting>& sightings, const Session& base);
 
 }  // namespace alidade

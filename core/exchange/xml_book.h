@@ -17,13 +17,13 @@ class XmlBook : public FieldBook {
 
   const XmlFile& file() const { return m_file; }
 
-  /// Adds a set-up. A point with a second set-up, which orients the circle differently, becomes `K1 (2)`.
+  /// Adds a set-up. A second one on a point, with another orientation of the circle, is named `K1 (2)`.
   void addSetUp(const std::string& id, std::string station);
   /// The sightings that follow are from that set-up; an unknown ID changes nothing.
   void goTo(const std::string& id, std::size_t line);
   /// Empty texts are ignored.
   void takeInstrument(const std::string& name, const std::string& serial, std::size_t line);
-  /// Takes a mark of axis, round or zero, or a note that a session cannot hold.
+  /// Takes a mark of axis, round or zero; lists any other note as unused.
   void takeNote(const std::string& note, std::size_t line);
   /// The first text with a date sets the day.
   void takeTime(std::string_view time);

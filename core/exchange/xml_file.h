@@ -16,9 +16,9 @@ class xml_node;
 
 namespace alidade {
 
-/// The elements of an XML text with their line numbers. Entities are not expanded and only the text itself is
-/// read. A text above the limit of marks, or with unclosed elements, has a problem; the elements before it
-/// are available.
+/// The elements of an XML text with their line numbers. Only predefined entities are expanded, and only the
+/// text itself is read. A text above the limit of marks has a problem and no elements. If elements are not
+/// closed, there is a problem, and the elements before it are available.
 class XmlFile {
  public:
   /// `text` is UTF-8, whatever its declaration states; owned by the caller.
@@ -60,7 +60,7 @@ std::string dateOfTime(std::string_view time);
 
 /// The circles of a sighting in an XML file, in a notation of `parseAngle`.
 struct XmlCircles {
-  std::string horizontal, vertical;  ///< of a zenith circle
+  std::string horizontal, vertical;  ///< readings, the vertical one of a zenith circle
   AngleUnit unit = AngleUnit::Degrees;
   std::string face = {};  ///< "1", "2", or empty if the file does not state it
 };

@@ -68,7 +68,7 @@ class ZeissRReader {
     readPoint(what, values, line.number);
   }
 
-  /// A text is the heading of what follows; the angles of an adjustment are not sightings.
+  /// Reads a text line: a mark, or a text to be listed. The angles of an adjustment are not sightings.
   void readText(std::string_view what, std::size_t line) {
     const std::string text = trimmed(what.substr(std::min<std::size_t>(what.size(), 3)));
     if (text.empty()) return;

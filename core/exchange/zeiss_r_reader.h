@@ -11,7 +11,7 @@ namespace alidade {
 bool looksLikeZeissR(std::string_view line);
 
 /// Reads a Zeiss R4 or R5 file, the predecessors of M5 (m5_reader.h). Sources: the Elta R user manual (data
-/// formats M5, R4, R5, Rec500), and files of an Elta R55. Lines are separated by |:
+/// formats M5, R4, R5, Rec500), and files of an Elta R55. The blocks of a line are separated by |:
 ///
 ///   For R5|Adr 0008|KR NTR1100|X 21.259 m |Y 59.620 m |Z 11.256 m |
 ///   For R4| KR NTR1100|…

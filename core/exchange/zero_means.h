@@ -14,8 +14,8 @@ struct ZeroMean {
   bool isMean = false;               ///< a face 1 mean; else as in the first sighting
 };
 
-/// The mean of their face 1 equivalents. A single sighting in face 1, and angles that cannot be read, stay
-/// unchanged. `sightings`: at least one.
+/// The mean of the sightings' face 1 equivalents. A single sighting in face 1, and angles that cannot be
+/// read, stay unchanged. `sightings`: at least one.
 ZeroMean zeroMean(const std::vector<const RecordedSighting*>& sightings, VerticalCircle circle);
 
 }  // namespace alidade

@@ -18,8 +18,8 @@ constexpr double calibrationSigma = 5;  // arcsec, see compensator.h
 constexpr double calibrationStale = 0.05, tiltsStale = 0.5, halfCorrectedStale = 0.1;
 constexpr double freeIndex = 300;  // arcsec: beyond a compensator's range
 constexpr double freeTilt = 3600;  // arcsec: keeps the equations regular
-constexpr double leastOfUse = 30;  // arcsec: a tilt is used if its σ is below, half of a plausible tilt
-constexpr double significant = 4;  // in σ
+constexpr double leastOfUse = 30;  // arcsec, half of a plausible tilt: a tilt is used if its σ is smaller
+constexpr double significant = 4;  // multiple of σ
 
 /// The state of a switch, over all rows.
 enum class Switch { Unknown, On, Off, Mixed };
@@ -100,8 +100,8 @@ class TiltEquations {
     }
   }
 
-  /// Solves each arc separately, with the indices of all: yields the scatter within arcs and the differences
-  /// between them.
+  /// Solves for the tilt of each arc separately, with the common indices. Yields the scatter within arcs and
+  /// the range between them.
   void compareArcs() {
     std::vector<Eigen::Vector2d> tilts;
     double squares = 0, freedom = -2, largest = 0;

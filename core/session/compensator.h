@@ -15,15 +15,15 @@ namespace alidade {
 // (`VerticalAxisTiltX`, `VerticalAxisTiltZ`), small angles. The compensator is in the alidade, at the azimuth
 // a from the perpendicular of the arc plane, right positive. In face 2 it is rotated by half a turn. It reads
 //
-//   length = ±(−tx cos a − tz sin a) along the line of sight: the axis leans towards the target
-//   cross = ±(tx sin a − tz cos a) across it: the axis leans to the right
+//   length = ±(−tx cos a − tz sin a) along the line of sight, > 0 in face 1 if the axis leans to the target
+//   cross = ±(tx sin a − tz cos a) across it, > 0 in face 1 if the axis leans to the right
 //
-// with + in face 1, each with an index of its own, whose sign is the same in face 2.
+// with + in face 1 and − in face 2. Each reading has an index, whose sign is the same in both faces.
 //
 // This sign is a convention of the session file. The available documents do not say how GeoCOM
 // (TMC_GetAngle1) counts its cross and length inclination, so a wrong sign must be detectable. A tilt of the
-// wrong sign is a stale known number (`KnownNumber::staleChance`). The sign is reported as wrong if the
-// readings fit the other sign.
+// wrong sign is treated as a stale known number (`KnownNumber::staleChance`). The sign is reported as wrong
+// if the readings fit the other sign.
 
 /// The tilt of the vertical axis, rad.
 struct AxisTilt {
@@ -58,17 +58,17 @@ struct CompensatorKnowledge {
 /// assumed to have been sighted with the switches of the rows. The chances of being stale are choices, not
 /// measured.
 ///
-/// - Inclination on in all rows: the instrument has corrected for its tilt; 0 ± σ of the compensator. Unless
-///   the standing axis is on in all rows, perhaps only the vertical circle was corrected: stale with a chance
-///   of 0.1.
-/// - Inclination off in all rows, and tilts: tx and tz by least squares over all rows, with the indices. The
-///   indices are free if both faces have tilts, else 0 ± σ of the compensator. The uncertainty includes that
-///   σ, which all rows share, and half the range between positions. Stale with a chance of one half: the sign
-///   convention of an instrument is unknown until readings have shown it.
-/// - Collimation, tilting axis on in all rows: the residual errors of the instrument's own calibration. They
-///   change with time, transport and temperature (Leica TPS1100 User Manual, Checking and adjusting), which
-///   gives no amounts: 0 ± 5″, stale with a chance of 0.05, are choices, a sixth of the plausible size.
-/// - Switches that differ between rows are ignored.
+/// - Inclination is on in all rows: the instrument has corrected for its tilt, so tx and tz are 0 ± σ of the
+///   compensator. Unless standing axis is on in all rows, the instrument may have corrected the vertical
+///   circle only; the chance of being stale is then 0.1.
+/// - Inclination is off in all rows, and there are tilts: tx, tz and the indices are fitted to all rows. The
+///   indices are free if both faces have tilts, else 0 ± σ of the compensator. The uncertainty includes this
+///   σ, which all rows share, a free index, and half the range between positions. The chance of being stale
+///   is one half: the sign convention of an instrument is unknown until readings have shown it.
+/// - Collimation or tilting axis is on in all rows: this error is 0 ± 5″, the residual of the instrument's
+///   own calibration, which changes with time, transport and temperature (Leica TPS1100 User Manual, Checking
+///   and adjusting). The 5″, a sixth of the plausible size, and a chance of 0.05 of being stale are choices.
+/// - A switch that differs between rows yields no knowledge.
 CompensatorKnowledge compensatorKnowledge(const Measurement& measurement);
 
 }  // namespace alidade

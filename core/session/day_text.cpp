@@ -42,7 +42,7 @@ std::vector<DayPart> partsOf(const std::string& typed, std::string& rest) {
   return parts;
 }
 
-/// 1…12 for "Mar", "mar", "March"; 0 for other texts.
+/// The month, 1…12, of "Mar", "mar" or "March"; 0 for other texts.
 int monthNamed(const std::string& text) {
   constexpr std::string_view names[] = {"january",   "february", "march",    "april",
                                         "may",       "june",     "july",     "august",

@@ -18,10 +18,10 @@ namespace alidade {
 
 namespace {
 
-// Compensators work within some 4′; a tilt beyond this was typed in another unit.
+// Compensators work within some 4′; a tilt of a degree or more was typed in another unit.
 constexpr double largestTiltArcsec = 3600;
 
-// Limits in any unit of the catalogue; far below, weights lose their digits.
+// Limits of known sizes in any unit of the catalogue. A much smaller σ would make weights lose digits.
 constexpr double leastKnownSigma = 1e-6, largestKnown = 1e6;
 
 bool isBlank(const std::string& text) {

@@ -25,16 +25,16 @@ struct NumberRule {
   Bound lowBound;
   double high;                      ///< always excluded
   std::optional<double> fallback;   ///< value of an empty text; absent: none
-  const char* refusal;              ///< of a number out of range, for `Phrase::of` with the number
-  const char* whenEmpty = nullptr;  ///< for `Phrase::of`; the field is then required
+  const char* refusal;              ///< sentence on a number out of range, %1
+  const char* whenEmpty = nullptr;  ///< sentence on an empty required field; null: optional
 };
 
 /// The number, or the fallback for an empty text.
 Result<std::optional<double>> numberEntry(const NumberRule& rule, const std::string& text);
-/// The same by the rule of a field of the session; `field` must be a number field.
+/// The number by the rule of the session's `field`, which must be a number field.
 Result<std::optional<double>> numberEntry(std::string_view field, const std::string& text);
 
-/// The known value of a parameter of an effect, in any unit; empty: 0.
+/// The known value of a parameter of an effect, in the parameter's unit; empty: 0.
 Result<double> knownValueEntry(const std::string& text);
 /// The standard uncertainty of a known size, > 0.
 Result<double> knownSigmaEntry(const std::string& text);
@@ -43,12 +43,12 @@ Result<double> knownSigmaEntry(const std::string& text);
 struct WholeRule {
   int low, high;
   std::optional<int> fallback;  ///< value of an empty text; absent: none
-  const char* refusal;          ///< of a number out of range, for `Phrase::of` with the number
+  const char* refusal;          ///< sentence on a number out of range, %1
 };
 
 /// An angle in the range of a circle, in degrees; `low` is included.
 struct AngleRule {
-  double low, lowOfElevation;  ///< the second if the vertical circle reads elevations
+  double low, lowOfElevation;  ///< `lowOfElevation` if the vertical circle reads elevations
   double high;
   bool isHighIncluded = false;
   bool mayBeEmpty = false;
@@ -57,7 +57,7 @@ struct AngleRule {
 /// The number, or the fallback for an empty text.
 Result<std::optional<int>> wholeEntry(const WholeRule& rule, const std::string& text);
 
-/// The angle; nothing for an empty text if the rule allows it.
+/// The angle; absent for an empty text if the rule allows it.
 Result<std::optional<Angle>> angleEntry(const AngleRule& rule, const std::string& text,
                                         VerticalCircle circle);
 
@@ -73,13 +73,13 @@ inline constexpr CorrectionSwitch correctionSwitches[] = {{"inclination", &Corre
 /// The word of a row whose instrument had all switches off.
 inline constexpr std::string_view noCorrections = "none";
 
-/// A compensator reading, in arcseconds; nothing for an empty text.
+/// A compensator reading typed in arcseconds, below 3600″ in size; absent for an empty text.
 Result<std::optional<Angle>> tiltEntry(const std::string& text);
 
-/// The switches that were on; nothing for an empty text, which means unknown.
+/// The switches that were on; absent for an empty text, which means unknown.
 Result<std::optional<Corrections>> correctionsEntry(const std::string& text);
 
-/// 0 or 180.
+/// The rotation of the axis in degrees: 0 or 180.
 Result<int> axisEntry(const std::string& text);
 
 /// "dms" (default), "degrees" or "gon".

@@ -22,7 +22,7 @@ bool lacksZero(const Position& position) {
   return position.zero.horizontal.empty() || position.zero.vertical.empty();
 }
 
-/// Does the position have half a zero, or readings without one?
+/// Does the position have half a pointing zero, or readings without a complete one?
 bool isBegunWithoutZero(const Position& position) {
   const bool isHalf = position.zero.horizontal.empty() != position.zero.vertical.empty();
   return isHalf || (lacksZero(position) && std::ranges::any_of(position.readings, isTyped));
@@ -39,7 +39,7 @@ EntryToCome zeroToCome(std::size_t position) {
   return {.position = position, .zero = "pointing_zero"};
 }
 
-/// A row below those of an arc with enough of them.
+/// Is the entry a new row below at least three rows of an arc?
 bool isFurtherRow(const Session& session, const EntryToCome& entry) {
   constexpr std::size_t leastRows = 3;
   const std::size_t rows = session.positions[entry.position].readings.size();
@@ -66,7 +66,7 @@ EntryToCome followedToCome(const Session& session, const FollowedSighting& next)
           .isAfter = planned.isAfter};
 }
 
-/// The next entry of a position without half-finished entries.
+/// The next entry of a position that has no half-finished entries; absent if it is complete.
 std::optional<EntryToCome> leftOf(const Session& session, std::size_t position,
                                   const ProtocolProgress* progress) {
   if (lacksZero(session.positions[position])) return zeroToCome(position);

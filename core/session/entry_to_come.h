@@ -11,19 +11,19 @@ namespace alidade {
 
 /// The next entry to type: a field of the session, a pointing zero or a row.
 struct EntryToCome {
-  std::string field = {};  ///< "geometry.distance_mm" or "geometry.radius_mm", then alone valid; else empty
+  std::string field = {};  ///< "geometry.distance_mm" or "geometry.radius_mm", then the only valid member
   std::size_t position = 0;
   std::string zero = {};  ///< "pointing_zero", "pointing_zero.face_2", …; empty: a row
   std::size_t row = 0;    ///< the first unread row; one past the last if all are read
   Reading sighting = {};  ///< point, round and face of the row
-  int zeroFace = 1;       ///< of a zero
-  bool isAfter = false;   ///< of a zero: after the readings
+  int zeroFace = 1;       ///< face of the zero
+  bool isAfter = false;   ///< the zero is sighted after the readings
 };
 
-/// The next entry while position `here` is being typed; with a `progress`, that of the protocol. Otherwise
-/// begun entries come first: a half-filled row, then the pointing zero of a position that has readings or
-/// half a zero. Then follows what remains in a position: it is complete if its rows equal those of another.
-/// In each step `here` comes before the other positions. Absent if nothing remains.
+/// The next entry while position `here` is being typed. With a `progress`, it is the protocol's next
+/// sighting. Otherwise begun entries come first: a half-filled row, then the pointing zero of a position that
+/// has readings or half a zero. Then follow missing entries; a position is complete if `hasAllOfAnother`. In
+/// each step `here` comes before the other positions. Absent if nothing remains.
 std::optional<EntryToCome> entryToCome(const Session& session, std::size_t here,
                                        const ProtocolProgress* progress = nullptr);
 
@@ -31,9 +31,9 @@ std::optional<EntryToCome> entryToCome(const Session& session, std::size_t here,
 std::optional<EntryToCome> entryToComeOf(const Session& session, std::size_t here,
                                          std::optional<std::size_t> chosen = {});
 
-/// The entry to lead a person to: distance and nominal radius before all others. Without a protocol, a
-/// pointing zero that some position lacks comes before a further row of an arc with enough rows: a zero typed
-/// into a row would count as a reading.
+/// The entry to lead a person to. An empty distance or nominal radius comes before all others. Without a
+/// protocol, another position's missing pointing zero comes before a fourth or later row of an arc: a zero
+/// typed into that row would count as a reading.
 std::optional<EntryToCome> entryToLeadTo(const Session& session, std::size_t here,
                                          const ProtocolProgress* progress);
 std::optional<EntryToCome> entryToLeadTo(const Session& session, std::size_t here,

@@ -13,8 +13,8 @@
 
 namespace alidade {
 
-/// The first entered texts of those fields of a row that were changed since, by their names in the session
-/// file. Empty in almost every row, without using memory; copies share their content.
+/// The first entered texts of a row's changed fields, by the names of the fields in the session file. An
+/// empty object, as in almost every row, allocates no memory; copies share their content.
 class FirstTexts {
  public:
   using Texts = boost::container::small_flat_map<std::string, std::string, 1, std::less<>>;

@@ -8,11 +8,11 @@
 
 namespace alidade {
 
-/// The unusable entries of a session that affect a number. A date never does, and the temperature only if a
-/// length expands: result and verdict are independent of them.
+/// Those `problems` of a session whose entries affect a number of the result. A date never affects one; the
+/// temperature does only if an expansion of a length is entered.
 std::vector<Problem> hindrances(const Session& session, const std::vector<Problem>& problems);
 
-/// The first of them, with the number of the others; absent without any.
+/// The first of the `hindrances`, with the number of the others in its sentence; absent if there are none.
 std::optional<Problem> firstHindrance(const Session& session, const std::vector<Problem>& problems);
 
 }  // namespace alidade

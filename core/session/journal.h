@@ -11,15 +11,15 @@ namespace alidade {
 
 struct Session;
 
-/// One recorded change: the original observation, its new value and the reason. Kept as text, like everything
-/// in a session; texts that do not apply are empty.
+/// One recorded change: the original observation, its new value and the reason. All of it is text, like
+/// everything in a session; texts that do not apply are empty.
 struct JournalEntry {
   std::string at = {};     ///< when, UTC: 2026-03-14T15:09:26Z
   std::string by = {};     ///< operator according to the session at that time
   std::string place = {};  ///< in the session file at that time: "positions[0].readings[4].vertical"
-  std::string axis = {};   ///< of the position: 0 or 180
-  std::string point = {}, round = {}, face = {};  ///< of the row
-  std::string from = {}, to = {};                 ///< as typed
+  std::string axis = {};   ///< axis of the position: 0 or 180
+  std::string point = {}, round = {}, face = {};  ///< identify the row
+  std::string from = {}, to = {};                 ///< old and new text as typed
   std::string why = {};                           ///< one of `journal_reasons`
   std::string hash = {};  ///< SHA-256 over the previous entry's hash and this entry, in hexadecimal digits
   JsonOrigin origin = {};
@@ -40,11 +40,10 @@ inline constexpr JournalField journalFields[] = {
     {"face", &JournalEntry::face},     {"from", &JournalEntry::from},   {"to", &JournalEntry::to},
     {"why", &JournalEntry::why},       {"hash", &JournalEntry::hash}};
 
-/// The reasons for a change of an entry.
+/// The values of `JournalEntry::why`, the kinds of changes.
 namespace journal_reasons {
 inline constexpr const char* retyped = "retyped";
-inline constexpr const char* suggestion = "suggestion";  ///< accepted proposal of the search for misread
-                                                         ///< readings
+inline constexpr const char* suggestion = "suggestion";  ///< accepted proposal for a gross error
 inline constexpr const char* cleared = "cleared";
 inline constexpr const char* pasted = "pasted";
 inline constexpr const char* excluded = "excluded";
@@ -53,9 +52,8 @@ inline constexpr const char* deleted = "deleted";
 inline constexpr const char* inserted = "inserted";
 inline constexpr const char* moved = "moved";          ///< to another position
 inline constexpr const char* imported = "imported";    ///< `to`: file, lines and SHA-256 of the rows
-inline constexpr const char* undone = "undone";        ///< after it had been saved
-inline constexpr const char* sealed = "sealed";        ///< `from`: the revision, `to`: the digest of the
-                                                       ///< content
+inline constexpr const char* undone = "undone";        ///< a change that had been saved
+inline constexpr const char* sealed = "sealed";        ///< `from`: revision, `to`: digest of the content
 inline constexpr const char* explained = "explained";  ///< `to`: why the entries numbered `from` were made
 }  // namespace journal_reasons
 
@@ -67,7 +65,7 @@ std::string journalHash(const std::string& before, const JournalEntry& entry);
 JournalEntry explainingEntry(const std::vector<JournalEntry>& journal, std::size_t first, std::size_t count,
                              const std::string& reason);
 
-/// Why the entry at `index` was made, as somebody stated last; empty if nobody did.
+/// The reason last stated for the entry at `index`; empty if none was stated.
 std::string explanationOf(const std::vector<JournalEntry>& journal, std::size_t index);
 
 /// Appends the entry with its hash.
@@ -90,14 +88,14 @@ std::size_t changedReadings(const Session& session);
 struct Seal {
   std::string at, by;
   int revision = 0;       ///< 0 for the first seal
-  std::string digest;     ///< of the sealed content
-  std::size_t entry = 0;  ///< its index in the journal
+  std::string digest;     ///< SHA-256 of the sealed content
+  std::size_t entry = 0;  ///< index of the seal's entry in the journal
 };
 
 /// The last seal; absent if the session was never sealed.
 std::optional<Seal> sealOf(const std::vector<JournalEntry>& journal);
 
-/// The number of changes after the seal.
+/// The number of changes after the seal; explanations do not count.
 std::size_t changesSince(const Seal& seal, const std::vector<JournalEntry>& journal);
 
 /// Is the content still the sealed one? Writes the whole session to compare.

@@ -27,19 +27,19 @@ std::size_t rowCountOf(const Session& session) {
   return count;
 }
 
-/// The first entry earlier than its predecessor; times have one format, which sorts.
+/// The first entry earlier than its predecessor. Times have one format, so their texts sort by time.
 std::optional<std::size_t> firstBackwards(const std::vector<JournalEntry>& journal) {
   for (std::size_t i = 1; i < journal.size(); ++i)
     if (!journal[i].at.empty() && !journal[i - 1].at.empty() && journal[i].at < journal[i - 1].at) return i;
   return {};
 }
 
-/// Entries that summarise changes of many cells, whose rows keep their first texts.
+/// Does the entry summarise changes of many cells, whose rows keep their first texts?
 bool countsCells(const JournalEntry& entry) {
   return entry.place.ends_with("].readings");
 }
 
-/// Adds rows that keep first texts without an entry for the change.
+/// Adds a contradiction for each first text of a row whose change has no entry.
 void addUnrecordedFirstTexts(const Session& session, std::vector<JournalContradiction>& contradictions) {
   if (std::ranges::any_of(session.journal, countsCells)) return;
   std::set<std::pair<std::string, std::string>> recorded;
@@ -66,7 +66,7 @@ CheckedSeal sealAt(const std::vector<JournalEntry>& journal, std::size_t index) 
           CheckedSeal::State::Unchecked};
 }
 
-/// `content` is `fileWithoutJournal(session)`.
+/// Reverts the entries with this `order` of rows. `content` is `fileWithoutJournal(session)`.
 JournalCheck takenBack(const Session& session, const std::string& content, JournalReplay::RowOrder order) {
   const std::vector<JournalEntry>& journal = session.journal;
   const bool isSmall = rowCountOf(session) <= mostRowsTakenBack;
@@ -95,8 +95,8 @@ std::size_t faults(const JournalCheck& check) {
                                            check.seals, CheckedSeal::State::Changed, &CheckedSeal::state));
 }
 
-/// In the order of rows that journals have had since version 1, or in the earlier order if fewer faults
-/// remain in it.
+/// Reverts the entries with the order of rows in journals since version 1, or with the earlier order if that
+/// leaves fewer faults.
 JournalCheck takenBack(const Session& session) {
   const std::string content = fileWithoutJournal(session);
   JournalCheck taken = takenBack(session, content, JournalReplay::RowOrder::LastFirst);

@@ -13,11 +13,11 @@ struct Reading;
 
 // Does a session agree with its journal? Each entry holds the old and the new value, so the journal can be
 // reverted entry by entry. A place that differs from an entry's new value was changed outside this program.
-// The content at a seal must be the sealed one. A seal keeps a copy of it, if that fits into a text of a
-// file, so that even an unrecorded change is located. Older seals keep only the digest. Reverted exactly:
-// texts of fields and rows, and rows that were added, deleted or moved. An import, an edit of more than a
-// thousand cells and a deleted position have one entry each, which cannot be reverted. Anything before such
-// an entry is checked only at a seal with a copy.
+// The content at a seal must be the sealed one. A seal keeps a copy of the content, which locates even an
+// unrecorded change, unless the copy exceeds the longest text of a file. Older seals keep only the digest.
+// Texts of fields and rows, and rows that were added, deleted or moved, are reverted exactly. An import, an
+// edit of more than a thousand cells and a deleted position have one entry each, which cannot be reverted.
+// Anything before such an entry is checked only at a seal with a copy.
 
 /// A place that contradicts the journal.
 struct JournalContradiction {
@@ -31,7 +31,7 @@ struct JournalContradiction {
 struct CheckedSeal {
   enum class State {
     Held,       ///< the content matched the seal
-    Changed,    ///< it did not
+    Changed,    ///< the content differed from the seal
     Unchecked,  ///< the content at that time cannot be reconstructed
   };
   Seal seal;
@@ -44,16 +44,16 @@ struct JournalCheck {
   std::vector<JournalContradiction> contradictions;
   std::vector<CheckedSeal> seals;  ///< in the order of the journal
 
-  /// No entry and no content was changed outside the program, as far as the file itself shows.
+  /// Does the file show no change of an entry or of the content outside the program?
   bool holds() const;
 };
 
-/// Writes the session once, and again for each seal; if a fault is found, a second time for each seal. With
-/// more than 20 000 rows, entries are not reverted.
+/// Writes the session once, and again for each seal, up to 64 times if empty members may have been absent. If
+/// a fault is found, all seals are checked twice. With more than 20 000 rows, entries are not reverted.
 JournalCheck checkJournal(const Session& session);
 
-/// A seal's copy of the sealed content, as a session file; empty if it has none or the copy differs from what
-/// it sealed.
+/// A seal's copy of the sealed content, as a session file; empty if there is no copy or its digest is not
+/// that of the seal.
 std::string sealedContent(const JournalEntry& seal);
 /// Adds the copy to a seal, unless it exceeds the longest text of a session file.
 void keepSealedContent(JournalEntry& seal, const std::string& content);

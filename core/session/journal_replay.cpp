@@ -78,7 +78,7 @@ std::string rowTextOf(const Json& row) {
   return rowText(readingOf(row));
 }
 
-/// Whether the row has every one of `texts`, but for a note.
+/// Does the row have all of `texts`, apart from a note?
 bool hasTexts(const Json& row, const Json& texts) {
   for (const auto& [field, value] : texts.items())
     if (field != "note" && cellTextOf(row, field) != cellTextOf(texts, field)) return false;
@@ -120,7 +120,7 @@ bool saysNothing(const Json& value) {
   return isEmptyText || value == false || value.is_null();
 }
 
-/// Every value by its place, without empty ones.
+/// Collects each non-empty value by its place, without first texts.
 void flatten(const Json& value, const std::string& place, std::map<std::string, std::string>& texts) {
   if (value.is_object()) {
     for (const auto& [key, member] : value.items())
@@ -171,8 +171,8 @@ void JournalReplay::takeBack(std::size_t index) {
   for (std::size_t i = m_taken; i <= index; ++i) takeBackOne(i);
 }
 
-/// The first entry of the edit that `last` ends. Rows deleted in one edit have rising indices here, restored
-/// rows falling ones; they are reverted together, in journal order. Every other entry is an edit of its own.
+/// The first entry of the edit that `last` ends. In journals of version 0, the rows of one deletion have
+/// rising indices, restored rows falling ones; they are reverted together. Any other entry is one edit.
 std::size_t JournalReplay::firstOfEdit(std::size_t last) const {
   const auto isBefore = [&](const JournalEntry& one, const JournalEntry& next) {
     const auto a = pathOf(one.place), b = pathOf(next.place);
@@ -215,8 +215,8 @@ JournalReplay::Json* JournalReplay::rowsOf(const Path& path) {
   return rows.is_array() ? &rows : nullptr;
 }
 
-/// Before the first seal: the only row with the entry's point, round and face. Rows added while empty have no
-/// entry, so the index is unreliable.
+/// The only row with the point, round and face of an entry before the first seal. Its index is unreliable,
+/// since rows added while empty have no entry.
 JournalReplay::Json* JournalReplay::rowOf(const Path& path, const JournalEntry& entry) {
   Json* rows = rowsOf(path);
   if (!rows) return nullptr;
@@ -232,8 +232,8 @@ JournalReplay::Json* JournalReplay::rowOf(const Path& path, const JournalEntry& 
   return only ? &(*rows)[*only] : nullptr;
 }
 
-/// Whether a row of any position has the text. Rows move to another position without an entry there before
-/// the first seal; `rowOf` may then find a row with the same point, round and face instead.
+/// Does a row of any position have the text? Before the first seal, rows move to another position without an
+/// entry; `rowOf` may then find another row with the same point, round and face.
 bool JournalReplay::isAnywhere(const std::string& field, const std::string& text) const {
   const auto positions = m_content->find("positions");
   if (positions == m_content->end() || !positions->is_array()) return false;
@@ -260,8 +260,8 @@ void JournalReplay::takeBackCell(const Path& path, std::size_t index) {
   const std::string held = cellTextOf(*row, path.field);
   const ValueKind kind = kindOfCell(path.field);
   const std::string recorded = filedText(entry.to, kind);
-  // Before the first seal, a cell may have been filled in or belong to another row: only a marked change
-  // counts.
+  // Before the first seal, a cell may have been filled in or belong to another row: only a change with a
+  // first text counts.
   const auto marks = row->find(firstTexts);
   const bool isMarked = marks != row->end() && marks->contains(path.field);
   if (held != recorded && (isSealed || (isMarked && !entry.to.empty()))) {
@@ -287,8 +287,8 @@ void JournalReplay::takeBackCell(const Path& path, std::size_t index) {
   if (firsts.empty()) row->erase(firstTexts);
 }
 
-/// Whether an entry after `index` changed this text in any row. Before the first seal, that entry may still
-/// be unreverted, since its row was not found.
+/// Did an entry after `index` change this text in any row? Before the first seal, that entry may still be
+/// unreverted, since its row was not found.
 bool JournalReplay::isLaterLeft(const std::string& field, const std::string& text, std::size_t index) const {
   const ValueKind kind = kindOfCell(field);
   const std::string end = "." + field;
@@ -298,7 +298,7 @@ bool JournalReplay::isLaterLeft(const std::string& field, const std::string& tex
   });
 }
 
-/// Before the first seal, texts are filled in, notes change, and empty rows are added and removed without an
+/// `toldRow` before the first seal: texts are filled in, notes change, and empty rows come and go without an
 /// entry, so the row may have another index. An entry without texts describes an empty row.
 JournalReplay::EntryRow JournalReplay::openRow(const Json& rows, const Path& path, std::size_t index) const {
   const Json recorded = rowOfText(m_journal[index].to);
@@ -374,7 +374,8 @@ void JournalReplay::takeBackText(const Path& path, const JournalEntry& entry) {
   if (entry.from.empty()) m_absent.push_back(pointer + pointed(key));
 }
 
-/// Digests of the content with each of `m_absent` present or absent; absent first.
+/// Digests of the content with each of up to six members of `m_absent` present or absent, all absent first.
+/// With more members, only the digest of the content with all of them.
 std::vector<std::string> JournalReplay::digestsOfAllForms() const {
   constexpr std::size_t mostUnsure = 6;
   std::vector<std::string> places(m_absent.begin(), m_absent.end());

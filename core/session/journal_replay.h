@@ -11,7 +11,7 @@
 
 namespace alidade {
 
-/// The content of a session file, in which the entries of its journal are reverted, the last first.
+/// The content of a session file. The entries of its journal are reverted in it, the last one first.
 class JournalReplay {
  public:
   using Json = nlohmann::ordered_json;
@@ -19,13 +19,13 @@ class JournalReplay {
   /// The order in which the journal lists the rows of one deletion.
   enum class RowOrder {
     LastFirst,   ///< each entry is reverted alone
-    FirstFirst,  ///< as journals of version 0 do; the entries of a deletion are reverted together
+    FirstFirst,  ///< in journals of version 0; the entries of a deletion are reverted together
   };
 
   JournalReplay(const std::vector<JournalEntry>& journal, const std::string& content, RowOrder order);
   ~JournalReplay();
 
-  /// To be called from the last entry to the first.
+  /// Reverts an entry. Call it for the last entry first.
   void takeBack(std::size_t entry);
   /// Compares the content with the sealed one, and continues from the seal's copy if there is one.
   CheckedSeal::State atSeal(std::size_t entry);
@@ -39,7 +39,7 @@ class JournalReplay {
   };
 
   struct EntryRow {
-    std::optional<std::size_t> row;  ///< absent: not found, or one of several
+    std::optional<std::size_t> row;  ///< index of the row that the entry describes; absent: none, or several
     bool isTrue = false;             ///< nothing in the rows contradicts the entry
   };
 
@@ -70,7 +70,7 @@ class JournalReplay {
   bool m_isExact = true;  ///< reverted content is as originally written, except for `m_absent`
   std::set<std::string> m_describedPlaces;  ///< places that entries describe in words instead of texts
   std::vector<std::string> m_absent;  ///< JSON pointers of empty or false members that may have been absent
-  std::vector<Json> m_gone;           ///< reverted rows, for entries that move them
+  std::vector<Json> m_gone;           ///< rows that reverting removed, for entries that moved them
 };
 
 }  // namespace alidade

@@ -116,7 +116,7 @@ class Layout {
   }
 
   const RowsOf& m_rows;
-  std::size_t m_position = 0;  ///< currently written
+  std::size_t m_position = 0;  ///< index of the position being written
   std::string m_text;
 };
 

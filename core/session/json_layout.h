@@ -7,12 +7,12 @@
 
 namespace alidade {
 
-/// A row of a position, created when it is written: a document with all rows would take many times the memory
+/// Creates a row of a position when it is written: a document with all rows would take many times the memory
 /// of their text.
 using RowsOf = std::function<nlohmann::ordered_json(std::size_t position, std::size_t row)>;
 
-/// JSON as the text of a session file: indented by two blanks, one line per reading and per pointing zero, a
-/// newline at the end. With `rows`, the `readings` of a position hold their number, and `rows` creates them.
+/// JSON as the text of a session file: indented by two blanks, one line per reading, zero and journal entry,
+/// a newline at the end. With `rows`, `readings` is a position's number of rows, which `rows` creates.
 std::string layoutJson(const nlohmann::ordered_json& json, const RowsOf& rows = {});
 
 }  // namespace alidade

@@ -19,19 +19,19 @@ std::string jsonTypeName(const nlohmann::ordered_json& value);
 /// The format of a file, and the sentences for files of other formats. Phrases are for `Phrase::of`.
 struct JsonFormat {
   const char* id;         ///< "alidade-session"
-  const char* isNone;     ///< for a file without a format
+  const char* isNone;     ///< sentence for a file without a format
   const char* choose;     ///< what to do instead: "choose a session file"
-  const char* noVersion;  ///< for an invalid version, %1; %2 is the newest
+  const char* noVersion;  ///< sentence for an invalid version, %1; %2 is the newest
 };
 
-/// Takes values out of one object of a file. The first problem is kept; later ones are ignored.
+/// Reads the values of one object of a file. The first problem is kept; later ones are ignored.
 class ObjectReader {
  public:
   using Json = nlohmann::ordered_json;
 
   ObjectReader(const Json& json, Place where, std::optional<Problem>& problem);
 
-  /// The text of a value of this kind; empty if it is missing.
+  /// The text of a value of this kind; empty if the value is missing or, with a problem, of another kind.
   std::string value(std::string_view key, ValueKind kind) const;
   std::string text(const char* key) const { return value(key, ValueKind::Text); }
   std::string number(const char* key) const { return value(key, ValueKind::Number); }
@@ -48,7 +48,7 @@ class ObjectReader {
   ObjectReader object(const char* key) const;
   /// The members of a list; empty if the key is absent or has another type.
   const Json& list(const char* key) const;
-  /// One object of a list.
+  /// A reader of one object in a list.
   ObjectReader member(const char* key, std::size_t index, const Json& json) const;
 
   bool require(std::string_view key, const char* remedy) const;

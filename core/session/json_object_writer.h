@@ -37,13 +37,13 @@ class ObjectWriter {
   void flag(std::string_view key, bool current);
   void constant(const char* key, Json value);
 
-  /// Written if it has content or existed before.
+  /// Writes `value` if it is required, is not empty or existed before.
   void part(const char* key, Json value, Presence presence = Presence::Optional);
-  /// Omitted if it is empty.
+  /// Writes `value`; if it is empty, removes the key.
   void partIfAny(const char* key, Json value);
-  /// The number of rows, for the layout, which requests each of them.
+  /// Writes the number of rows, which `layoutJson` replaces by the rows.
   void rows(const char* key, std::size_t count, Presence presence);
-  /// An existing member keeps its JSON type.
+  /// Writes a list of texts. Entries that existed before keep their JSON type.
   void list(const char* key, const std::vector<std::string>& current);
 
   Json take();

@@ -5,9 +5,9 @@
 
 namespace alidade {
 
-/// The JSON object from which a part of a session was read. The writer starts from it. So unknown keys, the
-/// order of keys, absent optional keys and the values of unchanged keys survive a load and save. Not part of
-/// the content: two parts that differ only in their origin are equal.
+/// The JSON object from which a part of a session was read. The writer starts from this object, so that
+/// unknown keys, the order of keys, absent optional keys and the values of unchanged keys survive a load and
+/// save. The origin is not content: two parts that differ only in their origin are equal.
 class JsonOrigin {
  public:
   JsonOrigin() = default;

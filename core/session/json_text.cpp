@@ -18,7 +18,7 @@ using Json = nlohmann::ordered_json;
 
 constexpr std::string_view byteOrderMark = "\xEF\xBB\xBF";
 
-/// "line 3, column 7" of a byte; columns count characters.
+/// The place of a byte as "line 3, column 7"; columns count characters.
 std::string lineAndColumn(std::string_view text, std::size_t byte) {
   const std::string_view before = text.substr(0, byte);
   const auto line = 1 + std::count(before.begin(), before.end(), '\n');
@@ -71,13 +71,13 @@ class DocumentBuilder : public Json::json_sax_t {
  private:
   struct Level {
     Json* value;
-    bool holdsRows = false;  ///< the readings of a position
+    bool holdsRows = false;  ///< the value is the list `readings` of a position
     std::size_t taken = 0;   ///< members of a list already passed on
     std::string key = {};
-    std::unordered_set<std::string> keys = {};  ///< of an object with more than a few
+    std::unordered_set<std::string> keys = {};  ///< keys of an object with many members; else empty
   };
 
-  /// A linear search is faster than a set for a few keys.
+  /// Is the key a duplicate? A linear search is faster than a set for a few keys.
   static bool isDuplicate(Level& level) {
     constexpr std::size_t few = 16;
     const auto& members = level.value->get_ref<const Json::object_t&>();
@@ -134,13 +134,13 @@ class DocumentBuilder : public Json::json_sax_t {
     return true;
   }
 
-  /// A growing container copies its members with all keys.
+  /// Reserves room for the members, since a growing container copies them with all keys.
   static void makeRoomForRow(Json& row) {
     constexpr std::size_t usual = 8;
     static_cast<std::vector<Json::object_t::value_type>&>(row.get_ref<Json::object_t&>()).reserve(usual);
   }
 
-  /// Is the current member one of `positions[…]`?
+  /// Does the current member belong to an object `positions[…]`?
   bool isInPosition() const {
     return m_levels.size() == 3 && m_levels[2].value->is_object() && m_levels[1].value->is_array() &&
            m_levels[0].value->is_object() && m_levels[0].key == "positions";
@@ -179,7 +179,7 @@ class DocumentBuilder : public Json::json_sax_t {
     return true;
   }
 
-  /// The place of the current member, in terms of a session if it is in one.
+  /// The place of the current member, with indices of position and reading as in a session.
   Place place() const {
     Place place;
     for (const Level& level : m_levels) {

@@ -29,16 +29,16 @@ struct KnownOffset {
   double millimetres, sigma, correlation;
 };
 
-/// The offset if none is stated. Manufacturing keeps the line of sight within 0.1 mm of the axis (1σ). An
-/// instrument check is made at other distances, where such an offset acts differently. Any other source is
-/// assumed to state the collimation at the distance of the session.
+/// The offset of the line of sight, in mm, if none is stated. Manufacturing keeps the line of sight within
+/// 0.1 mm of the axis (1σ). An instrument check is made at other distances, where such an offset acts
+/// differently. Any other source is assumed to state the collimation at the distance of the session.
 KnownOffset defaultOffset(const KnownNumber& collimation) {
   constexpr double plausible = 0.1;
   const bool isChecked = collimation.from.find(fromInstrumentCheck) != std::string::npos;
   return {0, isChecked ? plausible : 0, 0};
 }
 
-/// c + e/D, in arcseconds, with u² = u_c² + (u_e/D)² + 2 ρ u_c u_e/D. D in mm.
+/// The collimation c + e/D at the distance D in mm, in arcseconds, with u² = u_c² + (u_e/D)² + 2 ρ u_c u_e/D.
 KnownNumber atDistance(KnownNumber collimation, const KnownOffset& offset, double distance) {
   if (offset.millimetres == 0 && offset.sigma == 0) return collimation;
   const double perMillimetre = Angle::fromRadians(1 / distance).arcseconds();
@@ -119,7 +119,7 @@ class Examiner : private ProblemReporter {
     if (const auto problem = dateProblem(text)) report(*problem, {.field = field});
   }
 
-  /// A number that every measurement needs.
+  /// A number without which there is no measurement; 0 if the entry is unusable.
   double vitalNumber(const char* field) {
     const auto value = number(field);
     if (!value) m_usable = false;
@@ -269,8 +269,8 @@ class Examiner : private ProblemReporter {
     setMoments(m_measurement);
   }
 
-  /// A zero more than 45° off the horizon belongs to the other kind of circle, or to one that does not count
-  /// from the plumb line.
+  /// The elevation of a zero above the horizon; 0 if it exceeds 45°. Such a zero belongs to the other kind of
+  /// circle, or to one that does not count from the plumb line.
   Angle zeroElevation(Angle vertical) const {
     constexpr double steepest = 45;  // degrees
     const bool isZenith = m_measurement.verticalCircle == VerticalCircle::Zenith;
@@ -331,12 +331,12 @@ class Clock {
  private:
   double share(double minutes) const { return (minutes - m_first) / (m_last - m_first); }
 
-  double m_pause, m_length;  ///< in rows
+  double m_pause, m_length;  ///< pause between positions and length of the session, in rows
   double m_first = std::numeric_limits<double>::infinity(), m_last = -m_first;
   bool m_isTimed;
 };
 
-/// The moment of a zero equal to the mean of the sightings with both faces weighted equally.
+/// The mean moment of the sightings of a zero, with both faces weighted equally.
 double meanMoment(const std::vector<SightedZero>& sightings) {
   double sum = 0;
   int faces = 0;
@@ -355,8 +355,8 @@ double meanMoment(const std::vector<SightedZero>& sightings) {
   return faces > 0 ? sum / faces : 0;
 }
 
-/// The sightings of a zero common to all: those before the readings belong to the first arc, those after to
-/// the last.
+/// The sightings of each arc's zero. For a common zero, the sightings before the readings belong to the first
+/// arc, those after them to the last.
 std::vector<std::vector<SightedZero>> zeroSightingsByArc(const Measurement& measurement) {
   std::vector<std::vector<SightedZero>> zeros;
   for (const ArcMeasurement& arc : measurement.arcs) zeros.push_back(arc.zeroSightings);
@@ -378,7 +378,7 @@ bool hasTimes(const Measurement& measurement) {
 void setMoments(Measurement& measurement) {
   const Clock clock(measurement);
   std::vector<std::vector<SightedZero>> zeros = zeroSightingsByArc(measurement);
-  std::vector<double> beginnings;  // of the positions
+  std::vector<double> beginnings;  // moments of the positions' first rows
   std::size_t zerosBefore = 0;
   for (std::size_t i = 0; i < zeros.size(); ++i) {
     ArcMeasurement& arc = measurement.arcs[i];

@@ -30,7 +30,7 @@ enum class ArcPlane {
 
 /// The target of the pointing zeros.
 enum class ZeroIs {
-  Unstated,  ///< a mark if they agree
+  Unstated,  ///< a mark if the zeros agree
   Mark,      ///< one fixed direction
   Normal,    ///< the guideway's own normal, set again in each position
   Unknown,
@@ -60,9 +60,9 @@ enum class Measurand {
 
 /// The corrections that an instrument applied to its readings.
 struct Corrections {
-  bool inclination = false;   ///< of both circles, by the compensator reading
-  bool standingAxis = false;  ///< of the horizontal circle, by the compensator reading
-  bool collimation = false;   ///< by the instrument's own calibration, as the tilting axis
+  bool inclination = false;   ///< both circles are corrected by the compensator reading
+  bool standingAxis = false;  ///< the horizontal circle is corrected by the compensator reading
+  bool collimation = false;   ///< corrected by the instrument's own calibration, like `tiltingAxis`
   bool tiltingAxis = false;
 
   bool operator==(const Corrections&) const = default;
@@ -72,9 +72,8 @@ struct Corrections {
 /// |a|, |e| < 90°.
 struct Sighting {
   std::size_t row = 0;       ///< index into the position's readings
-  std::size_t sequence = 0;  ///< index into all rows of the session, excluded ones included, in the order
-                             ///< taken
-  std::size_t order = 0;     ///< the same, counting the sightings of the zeros among the rows
+  std::size_t sequence = 0;  ///< index among all rows of the session, excluded ones too, in the order taken
+  std::size_t order = 0;     ///< `sequence` plus the number of earlier sightings of zeros
   double elapsed = 0;        ///< share of the session elapsed when it was taken, 0…1
   int point = 0;
   int round = 1;
@@ -82,7 +81,7 @@ struct Sighting {
   Angle a;  ///< horizontal, right positive
   Angle e;  ///< vertical, up positive
   std::optional<Angle> slider;
-  std::optional<Angle> tiltCross = {}, tiltLength = {};  ///< of the vertical axis, as in compensator.h
+  std::optional<Angle> tiltCross = {}, tiltLength = {};  ///< tilts of the vertical axis (compensator.h)
   std::optional<Corrections> corrections = {};           ///< switches that were on, if known
   std::optional<double> minutes = {};                    ///< time on any clock, if stated
   bool isZero = false;  ///< a sighting of a pointing zero that is an observation
@@ -91,19 +90,19 @@ struct Sighting {
 /// One sighting of a pointing zero.
 struct SightedZero {
   int face = 1;
-  bool isAfter = false;  ///< after the rows of its position; else before them
-  Angle a, e;            ///< relative to the position's zero, in face 1; right and up positive
+  bool isAfter = false;  ///< sighted after the rows of its position; else before them
+  Angle a, e;            ///< sighting minus the position's zero, in face 1; right and up positive
   std::optional<double> minutes = {};
-  std::size_t order = 0;  ///< as of a row
+  std::size_t order = 0;  ///< as in `Sighting`
   double elapsed = 0;
 };
 
 /// The sightings whose mean is the pointing zero.
 struct ZeroSightings {
   int count = 1;
-  bool isInBothFaces = false;   ///< with equal weights; else in face 1
+  bool isInBothFaces = false;   ///< the mean weights both faces equally; else all are in face 1
   double factor = 1;            ///< σ of the mean divided by that of a single sighting
-  double elapsed = 0;           ///< share of the session at their mean moment; drift counts from there
+  double elapsed = 0;           ///< share of the session elapsed at their mean moment, where drift is 0
   bool hasLeftOutFace = false;  ///< face 2 is ignored, since not all positions have it
   /// Change from before to after the readings, in face 1; absent unless one face was sighted both times.
   struct Move {
@@ -121,7 +120,7 @@ struct ArcMeasurement {
   std::vector<Sighting> sightings;
   int time = 1;  ///< repeat at this axis in the session
   ZeroSightings zero = {};
-  std::vector<SightedZero> zeroSightings = {};  ///< those that count; of a common zero, the first arc
+  std::vector<SightedZero> zeroSightings = {};  ///< sightings that count; of a common zero, the first arc
                                                 ///< has those before its rows, the last those after
   /// e0: elevation of the pointing zero above the horizon, up positive; 0 if the vertical circle cannot count
   /// from the plumb line.
@@ -133,13 +132,13 @@ struct ArcMeasurement {
 struct KnownNumber {
   Place where = {};
   std::string effect = {}, parameter = {}, unit = {}, from = {}, date = {};
-  double value = 0, sigma = 0;  ///< in that unit, σ > 0
-  /// Probability that it no longer holds because the instrument was knocked or adjusted since: one in fifty
-  /// such records.
+  double value = 0, sigma = 0;  ///< in `unit`; σ > 0
+  /// Probability that the value is outdated because the instrument was knocked or adjusted since. The default
+  /// is one in fifty records.
   double staleChance = 0.02;
 };
 
-/// The directions in which the zeros of all positions sight one mark with an unchanged circle.
+/// For each circle: do the zeros of all positions sight one mark with this circle unchanged?
 struct CommonZeros {
   bool horizontal = false, vertical = false;
 
@@ -151,38 +150,38 @@ struct Measurement {
   double distance = 0;       ///< L > 0
   double sigmaDistance = 0;  ///< ≥ 0
   double nominalRadius = 0;  ///< R0 > 0
-  double sigmaRadius = 0;    ///< of R0, ≥ 0; used if the radius is known, and as a closure
-  /// Expansion of L and R0 at the temperature of the session relative to 20 °C; included in both.
+  double sigmaRadius = 0;    ///< σ of R0, ≥ 0; used for a known radius, else for the closure R − R0
+  /// Expansion of L and R0 from 20 °C to the temperature of the session, in mm; already included in both.
   double distanceExpansion = 0, radiusExpansion = 0;
   RadiusModel radiusModel = RadiusModel::Free;
-  Angle sigmaHorizontal, sigmaVertical;          ///< of a circle reading, > 0
-  Angle sigmaZeroHorizontal, sigmaZeroVertical;  ///< of one sighting of a pointing zero, ≥ 0
+  Angle sigmaHorizontal, sigmaVertical;          ///< σ of a circle reading, > 0
+  Angle sigmaZeroHorizontal, sigmaZeroVertical;  ///< σ of one sighting of a pointing zero, ≥ 0
   /// No σ of the zeros is stated: their sightings are circle readings and scatter like these.
   bool zerosAreReadings = false;
   /// Factor by which sightings of one zero differ more than their σ allows; ≥ 1.
   double zeroScatter = 1;
   PointingZeros pointingZeros = PointingZeros::Unstated;
-  /// The sightings of the zeros follow the rows of their arcs, as observations (sighted_zeros.h).
+  /// Present if the zeros' sightings follow the rows of their arcs as observations (sighted_zeros.h).
   std::optional<CommonZeros> sightedZeros = {};
   ArcPlane plane = ArcPlane::Vertical;
-  bool isPlaneStated = true;  ///< else it may be perpendicular to the zero
+  bool isPlaneStated = true;  ///< else the plane may be perpendicular to the zero
   ZeroIs zeroIs = ZeroIs::Unstated;
   Angle sigmaSlider;                                  ///< > 0
-  Angle sigmaCompensator = Angle::fromArcseconds(1);  ///< of its setting or reading, > 0
+  Angle sigmaCompensator = Angle::fromArcseconds(1);  ///< σ of its setting or reading, > 0
   VerticalCircle verticalCircle = VerticalCircle::Zenith;
-  CircleUnit angleUnit = CircleUnit::Dms;  ///< for displayed angles
+  CircleUnit angleUnit = CircleUnit::Dms;  ///< unit of displayed angles
   VerticalAngleRelation relation = VerticalAngleRelation::Exact;
   std::optional<double> tolerance;                ///< mm, > 0
-  Measurand measurand = Measurand::Intersection;  ///< limited by the tolerance
+  Measurand measurand = Measurand::Intersection;  ///< the quantity that the tolerance limits
   double coverage = 0.95;                         ///< in (0, 1)
   std::optional<double> referenceIntersection;    ///< mm
   std::optional<double> sigmaReference;           ///< mm, > 0; only with a reference, if stated
-  std::vector<ArcMeasurement> arcs;               ///< of each position, in the order taken
-  std::size_t rows = 0;                           ///< of the whole session, excluded ones included
+  std::vector<ArcMeasurement> arcs;               ///< one for each position, in the order taken
+  std::size_t rows = 0;                           ///< rows of the whole session, excluded ones included
   double pauseRows = 0;  ///< number of rows that would fit between two positions; used if rows have no times
   std::vector<std::string> effects;            ///< ids of model.effects, to be estimated
-  std::vector<KnownNumber> known;              ///< of the instrument, followed by the device
-  std::shared_ptr<const OwnEffects> own = {};  ///< of the user's own; null: none
+  std::vector<KnownNumber> known;              ///< known sizes of instrument, device and compensator
+  std::shared_ptr<const OwnEffects> own = {};  ///< the user's own effects; null: none
 
   /// Is there a single zero, with the same error in every arc?
   bool hasOneZero() const { return pointingZeros == PointingZeros::One; }
@@ -201,11 +200,11 @@ bool hasTimes(const Measurement& measurement);
 
 /// Numbers rows and sightings of zeros in the order taken, and sets the elapsed share of the session: from
 /// times if every row has one, else from row numbers. A zero without a time is placed just before the first
-/// row of its position, or just after the last; a common zero before all rows.
+/// row of its position, or just after the last; a common zero before or after all rows.
 void setMoments(Measurement& measurement);
 
-/// Returns the first arc at the axis of each arc, which is itself unless its position is a repeat. The arcs
-/// of one axis share centre and radius.
+/// For each arc, returns the index of the first arc at its axis, which is its own unless its position is a
+/// repeat. The arcs of one axis share centre and radius.
 std::vector<std::size_t> firstAtTheirAxes(const Measurement& measurement);
 
 /// Is any axis measured more than once?

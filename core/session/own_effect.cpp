@@ -107,7 +107,7 @@ nlohmann::ordered_json ownEffectsJson(const std::vector<OwnEffect>& effects) {
     ObjectWriter writer(effect.origin);
     fill(writer, effect);
     entries.push_back(writer.take());
-    for (const char* key : {"format", "version"}) entries.back().erase(key);  // those of a file
+    for (const char* key : {"format", "version"}) entries.back().erase(key);  // only a file has these keys
   }
   return entries;
 }

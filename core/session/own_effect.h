@@ -13,9 +13,9 @@ namespace alidade {
 
 struct Session;
 
-/// An amplitude of an effect of the user's own.
+/// An amplitude of one of the user's own effects.
 struct OwnParameter {
-  std::string name = {};       ///< its letter in the formula
+  std::string name = {};       ///< name of the amplitude in the formula
   std::string plausible = {};  ///< 1σ of the plausible size, > 0
   std::string unit = {};       ///< that of its carrier, "mm" or "arcsec"; may be empty
   JsonOrigin origin = {};
@@ -23,16 +23,16 @@ struct OwnParameter {
   bool operator==(const OwnParameter&) const = default;
 };
 
-/// An effect of the user's own, as typed: in a session, or in a file `*.alidade-effect` of its own.
+/// One of the user's own effects, as typed: in a session, or in its own file `*.alidade-effect`.
 struct OwnEffect {
-  std::string id = {};  ///< letters, digits, _ and -; results have it behind `ownPrefix`
+  std::string id = {};  ///< letters, digits, _ and -; results put `ownPrefix` before it
   std::string name = {}, description = {};
-  std::string device = {}, instrument = {};  ///< serial number of its owner; both empty: none
-  std::string formula = {};                  ///< as in core/terms/formula.h, with the numbers of its shape
+  std::string device = {}, instrument = {};  ///< serial number of the owner; both empty: no owner
+  std::string formula = {};                  ///< lines as in core/terms/formula.h, including named numbers
   std::vector<OwnParameter> parameters = {};
   bool turnsWithFace = false;  ///< lines of the formula for circles change sign in face 2
   std::string remedy = {};
-  std::string from = {};  ///< where it comes from
+  std::string from = {};  ///< source of the effect
   JsonOrigin origin = {};
 
   bool operator==(const OwnEffect&) const = default;
@@ -43,7 +43,7 @@ struct OwnEffect {
 Result<OwnEffect> readOwnEffect(std::string_view text);
 /// The effect as the text of a file, ending in a newline. Unknown keys and unchanged values are preserved.
 std::string writeOwnEffect(const OwnEffect& effect);
-/// Reads an effect from a file; the problem says why the file cannot be opened.
+/// Reads an effect from a file; the problem says why the file cannot be opened, or what is wrong in it.
 Result<OwnEffect> loadOwnEffect(const std::string& path);
 
 /// The effects in the key `own_effects` of a session.
@@ -52,8 +52,8 @@ nlohmann::ordered_json ownEffectsJson(const std::vector<OwnEffect>& effects);
 
 /// Does the effect have no owner, or does the session's device or instrument have its owner's serial number?
 bool isOfSession(const OwnEffect& effect, const Session& session);
-/// Adds the effect to the session, in place of one with the same id. Unless `isOfSession`, returns false and
-/// changes nothing.
+/// Adds the effect to the session, in place of one with the same id. If the effect is not `isOfSession`,
+/// returns false and changes nothing.
 bool takeOwnEffect(Session& session, const OwnEffect& effect);
 
 }  // namespace alidade

@@ -21,13 +21,13 @@ std::string ownId(const OwnEffect& effect);
 /// An id made of a name: letters, digits and - stay, all else becomes _. At most 40 bytes.
 std::string ownIdFrom(std::string name);
 
-/// An effect of the user's own that is sound, with its terms.
+/// One of the user's own effects that is sound, with its error terms.
 struct OwnEntry {
   OwnEffect source;
-  std::string id;  ///< with `ownPrefix`
+  std::string id;  ///< `ownPrefix` and the effect's id
   Formula formula;
-  std::vector<ErrorTerm> terms = {};  ///< of each amplitude of the formula
-  Effect effect = {};                 ///< its texts are those of `source`
+  std::vector<ErrorTerm> terms = {};  ///< one for each amplitude of the formula
+  Effect effect = {};                 ///< refers to the texts of `source`
 };
 
 /// The sound effects of a session; each amplitude has one of the error terms reserved for own effects. The
@@ -51,7 +51,8 @@ class OwnEffects {
 /// The first reason why an effect cannot be used; absent if it is sound. `where` names the key.
 std::optional<Problem> ownEffectProblem(const OwnEffect& effect);
 
-/// The sound effects of a list, null if there is none. Adds a problem for each of the others.
+/// The sound ones of the first 20 effects, null if there is none. Adds a problem for each other one, and one
+/// problem if there are more than 20.
 std::shared_ptr<const OwnEffects> examineOwnEffects(const std::vector<OwnEffect>& effects,
                                                     std::vector<Problem>& problems);
 

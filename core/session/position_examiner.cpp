@@ -59,8 +59,8 @@ class PositionExaminer : private ProblemReporter {
     return place;
   }
 
-  /// The value of an entry; empty, with a problem reported, if it cannot be used. Only then is its place
-  /// built.
+  /// The value of an entry; empty, with a problem reported, if it cannot be used. The place is built only for
+  /// a problem.
   template <typename Value>
   std::optional<Value> valueOf(const Result<Value>& entry, const Place& place, const char* field) {
     if (entry) return *entry;
@@ -110,7 +110,7 @@ class PositionExaminer : private ProblemReporter {
     return sighting;
   }
 
-  /// Point, round and face; a repetition of all three within a position is an error.
+  /// Examines point, round and face; a repetition of all three within a position is an error.
   void examineVisit(const Reading& row, const Place& place, Sighting& sighting) {
     const auto point = valueOf(wholeEntry(pointRule, row.point), place, "point");
     const auto round = valueOf(wholeEntry(roundRule, row.round), place, "round");
@@ -164,7 +164,7 @@ class PositionExaminer : private ProblemReporter {
   const std::optional<ZeroDirection> m_zero;
   const std::optional<VerticalCircle> m_circle;
   ExaminedPosition m_examined;
-  std::unordered_map<VisitFace, std::size_t, boost::hash<VisitFace>> m_rowOfVisitFace;  ///< of the first
+  std::unordered_map<VisitFace, std::size_t, boost::hash<VisitFace>> m_rowOfVisitFace;  ///< first row
 };
 
 }  // namespace

@@ -13,12 +13,12 @@ namespace alidade {
 // The examination of one position of a session.
 
 struct ExaminedPosition {
-  std::vector<Sighting> sightings;  ///< of the usable rows
-  std::vector<Problem> problems;    ///< in the order of the file; without those of the axis
+  std::vector<Sighting> sightings;  ///< sightings of the usable rows
+  std::vector<Problem> problems;    ///< problems in the order of the file, except those of the axis
 };
 
-/// `index`: among the session's positions. `firstSequence`: of its first row (`firstSequences`). `circle`:
-/// absent if unknown. Without `circle` or `zero`, rows are examined but there are no sightings.
+/// `index`: among the session's positions. `firstSequence`: sequence of its first row (`firstSequences`).
+/// `circle`: absent if unknown. Without `circle` or `zero`, rows are examined but there are no sightings.
 ExaminedPosition examinePosition(const Position& position, std::size_t index, std::size_t firstSequence,
                                  const ExaminedZero& zero, const std::optional<VerticalCircle>& circle);
 

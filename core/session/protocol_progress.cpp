@@ -24,8 +24,8 @@ std::vector<AxisTime> axesOf(const SightingProtocol& protocol) {
   return axes;
 }
 
-/// Positions by axis and repeat, as `Measurement` counts them: without repeats the 0° position is the first
-/// whatever the order of the file, so axis and repeat identify a position.
+/// Indices of positions by axis and repeat, counted as in `Measurement`. Axis and repeat identify a position
+/// in any order of the file.
 std::map<AxisTime, std::size_t> positionsOf(const Session& session) {
   std::map<AxisTime, std::size_t> positions;
   std::map<int, int> times;
@@ -162,8 +162,8 @@ class Follower {
     ++m_progress.taken;
   }
 
-  /// Rows are in the order in which they were taken: one is out of turn if the protocol has it before a row
-  /// of the position taken earlier.
+  /// Rows are in the order taken. A row is out of turn if the protocol has it before an earlier row of its
+  /// position.
   void markOutOfTurn() {
     for (std::size_t position = 0; position < m_session.positions.size(); ++position) {
       std::vector<std::pair<std::size_t, std::size_t>> taken;  // row, index in the protocol
@@ -188,7 +188,7 @@ class Follower {
     return m_progress.sightings[index].planned.protocolPosition == protocolPosition;
   }
 
-  /// The sighting of a position that was taken last, by its rows, else the last of its zeros.
+  /// The sighting of the last row taken in a position; without such a row, the last of its zeros.
   std::optional<std::size_t> lastTaken(std::size_t protocolPosition) const {
     std::optional<std::size_t> last, lastZero;
     for (std::size_t i = 0; i < m_progress.sightings.size(); ++i) {
@@ -215,7 +215,7 @@ class Follower {
     return m_rows[*followed.position].at(keyOf(followed.planned)).isHalf;
   }
 
-  /// The first zero counts for all readings of the position: it is missing if there are readings already.
+  /// The first zero of a position that has readings but lacks this zero; absent if there is none.
   std::optional<std::size_t> missingZero() const {
     std::optional<std::size_t> zero;
     for (std::size_t i = 0; i < m_progress.sightings.size(); ++i) {
@@ -248,8 +248,8 @@ class Follower {
     return firstLeft(0, count, true);
   }
 
-  /// Searches onward from the last sighting, places before zeros; then the skipped ones; then zeros after the
-  /// readings.
+  /// The first reading left after `last`, then a skipped reading, then a zero. If `last` is a zero before the
+  /// readings, the first sighting left.
   std::optional<std::size_t> nextWithin(std::size_t first, std::size_t end, std::size_t last) const {
     const bool isAtZeros =
         m_progress.sightings[last].planned.isZero && !m_progress.sightings[last].planned.isAfter;

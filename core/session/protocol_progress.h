@@ -18,9 +18,9 @@ struct PlannedSighting {
   std::size_t protocolPosition = 0;  ///< index into the protocol's positions
   int axisDeg = 0, time = 1;         ///< axis of the position, and repeat at that axis
   bool isZero = false;
-  bool isAfter = false;  ///< of a zero: after the readings of its position
-  int point = 0;         ///< of a place; 0 for a zero
-  int round = 1;         ///< of a place; 1 for a zero
+  bool isAfter = false;  ///< the zero is sighted after the readings of its position
+  int point = 0;         ///< point of a place; 0 for a zero
+  int round = 1;         ///< round of a place; 1 for a zero
   int face = 1;
   std::size_t place = 0;  ///< index into the places of its position
 
@@ -30,8 +30,8 @@ struct PlannedSighting {
 /// All sightings of a protocol, in order.
 std::vector<PlannedSighting> sightingsInOrder(const SightingProtocol& protocol);
 
-/// The protocol that a session follows; absent without one, and if the rows depart from one that is
-/// `isYielding`. Fails, with the place in the session, if the protocol is invalid.
+/// The protocol that a session follows; absent if there is none, or if the rows depart from an `isYielding`
+/// one. Fails, with the place in the session, if the protocol is invalid.
 Result<std::optional<SightingProtocol>> protocolOf(const Session& session);
 
 /// The minutes of the protocol that a session follows, or else the usual ones.
@@ -48,10 +48,10 @@ enum class SightingState {
 struct FollowedSighting {
   PlannedSighting planned;
   SightingState state = SightingState::Left;
-  std::optional<std::size_t> position = {};  ///< of the session; absent if it lacks the position
-  /// Its row, or the first unread one; absent without a row, and for a zero.
+  std::optional<std::size_t> position = {};  ///< index in the session; absent if the session lacks it
+  /// Index of its row, read or not; absent without a row, and for a zero.
   std::optional<std::size_t> row = {};
-  bool isOutOfTurn = false;  ///< taken after one that follows it in the protocol
+  bool isOutOfTurn = false;  ///< taken after a sighting that follows it in the protocol
   bool isRepeated = false;   ///< read in several rows
 };
 
@@ -70,11 +70,11 @@ struct ProtocolProgress {
   bool isComplete() const { return left() == 0; }
 };
 
-/// The next sighting is a half-filled row, then the first zero of a position with readings but no zero.
-/// Otherwise, in the current position, it is the first untaken one after the last taken, then a skipped one;
-/// then the first of all. The current position is the last with any entry, until it is complete.
-/// In a protocol by worth, `chosen` (an index into its sightings) replaces that order if no row is half
-/// filled and no zero is missing. No sighting of a protocol by worth is missed or out of turn.
+/// The next sighting is that of a half-filled row, then the first zero of a position with readings but no
+/// zero. Then follow, in the current position, the first one left after the last taken and the skipped ones;
+/// then the first one left of all. The current position is the last with any entry, until it is complete. In
+/// a protocol by worth, `chosen` (an index into its sightings) replaces that order if no row is half filled
+/// and no zero is missing. No sighting of a protocol by worth is missed or out of turn.
 ProtocolProgress progressOf(const Session& session, const SightingProtocol& protocol,
                             std::optional<std::size_t> chosen = {});
 
@@ -84,7 +84,7 @@ std::optional<ProtocolProgress> progressIn(const Session& session, std::optional
 /// Index of the next sighting of a place in one position of the session; absent if none remains there.
 std::optional<std::size_t> nextPlaceIn(const ProtocolProgress& progress, std::size_t position);
 
-/// The next sighting of a session with an incomplete protocol.
+/// The next sighting in the session's protocol; absent without a protocol, or if it is complete.
 std::optional<FollowedSighting> nextSighting(const Session& session);
 
 /// The row for a sighting of a place, with only point, round and face.

@@ -11,7 +11,7 @@ namespace alidade {
 
 namespace {
 
-/// Concatenates texts and numbers, each with its length, so that different lists have different bytes.
+/// Concatenates numbers, and texts with their lengths, so that different lists have different bytes.
 class ReadingBytes {
  public:
   void add(std::uint64_t number) {

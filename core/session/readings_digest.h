@@ -15,7 +15,7 @@ namespace alidade {
 /// the session.
 std::string readingsDigest(const Session& session, const Measurement& measurement);
 
-/// Returns the index of the first equal digest for each one, which may be its own. An empty digest equals no
+/// Returns for each digest the index of the first equal one, which may be its own. An empty digest equals no
 /// other.
 std::vector<std::size_t> firstsAlike(const std::vector<std::string>& digests);
 

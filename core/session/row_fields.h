@@ -48,9 +48,8 @@ struct RowField {
   std::string_view key;           ///< in the session file: "horizontal"
   std::string Reading::*text;     ///< null for a flag
   bool Reading::*flag = nullptr;  ///< null for a text
-  RowRule rule;                   ///< of the text
-  const char* remedy = nullptr;   ///< if the field is missing in a file, for `Phrase::of`; null: it is
-                                  ///< optional
+  RowRule rule;                   ///< rule for the text
+  const char* remedy = nullptr;   ///< what to do if a file lacks the field; null: optional
 };
 
 /// All fields in the order of the session file.
@@ -106,7 +105,7 @@ constexpr ValueKind kindOf(const RowField& field) {
                         std::holds_alternative<NumberText>(field.rule);
   return isNumber ? ValueKind::Number : ValueKind::Text;
 }
-/// The same of a field by its name in the session file; text if the name is unknown.
+/// The JSON notation of a field by its name in the session file; text if the name is unknown.
 constexpr ValueKind kindOfCell(std::string_view key) {
   const RowField* field = rowFieldNamed(key);
   return field ? kindOf(*field) : ValueKind::Text;
@@ -121,16 +120,16 @@ std::optional<Problem> entryProblem(const RowField& field, const std::string& te
 /// The texts of a row on the compensator and the corrections that were on.
 inline constexpr std::string Reading::*compensatorTexts[] = {
     &Reading::tiltCrossArcsec, &Reading::tiltLengthArcsec, &Reading::corrections};
-/// Does any row of the session have such a text?
+/// Does any row of the session have one of the `compensatorTexts`?
 bool hasCompensatorTexts(const Session& session);
 
-/// The data from the instrument with a row: time, return code, serial number.
+/// The texts of a row that record its arrival from an instrument: time, return code, serial number.
 inline constexpr std::string Reading::*arrivalTexts[] = {&Reading::takenAt, &Reading::returnCode,
                                                          &Reading::instrumentSerial};
-/// The same of a pointing zero, in the same order.
+/// The same texts of a pointing zero, in the same order.
 inline constexpr std::string ZeroSighting::*zeroArrivalTexts[] = {
     &ZeroSighting::takenAt, &ZeroSighting::returnCode, &ZeroSighting::instrumentSerial};
-/// Does any row or pointing zero of the session have such data?
+/// Does any row or pointing zero of the session have one of these texts?
 bool hasArrivalTexts(const Session& session);
 
 /// The first sighting of a pointing zero in the form of the further ones.

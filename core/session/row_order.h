@@ -7,8 +7,7 @@
 
 namespace alidade {
 
-/// Indices of the session's positions in the order taken: 0° first in any file order; in file order if an
-/// axis repeats.
+/// Indices of the session's positions in the order taken: in file order if an axis repeats, else 0° first.
 std::vector<std::size_t> positionsAsTaken(const Session& session);
 
 /// The number of each position's first row among all rows of the session in the order taken, excluded ones

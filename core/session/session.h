@@ -13,22 +13,20 @@ namespace alidade {
 
 // The plain data of one measurement, as typed. Every number and angle is kept as its text, so that user
 // input, even invalid, is neither lost nor rounded; empty text means "not given". `examine` (measurement.h)
-// converts the texts and is the only way from here to a fit. Names and units are those of the session file. A
-// JSON number of decimal degrees appears here as `341.873333°`.
+// converts the texts and is the only way from a session to a fit. Names and units are those of the session
+// file. A JSON number of decimal degrees appears here as `341.873333°`.
 
 /// One row of readings: the slider at one place, sighted in one face.
 struct Reading {
-  std::string point;  ///< whole number; identifies the slider place within position and round; empty: the
-                      ///< row's number from 1
-  std::string round;  ///< whole number ≥ 1; empty: 1
-  std::string face;   ///< 1 or 2; empty: 1
-  std::string horizontal;        ///< circle reading α
-  std::string vertical;          ///< circle reading β
-  std::string slider;            ///< slider coordinate; may be empty
+  std::string point;       ///< number of a slider place within position and round; empty: the row's number
+  std::string round;       ///< whole number ≥ 1; empty: 1
+  std::string face;        ///< 1 or 2; empty: 1
+  std::string horizontal;  ///< circle reading α
+  std::string vertical;    ///< circle reading β
+  std::string slider;      ///< slider coordinate; may be empty
   std::string tiltCrossArcsec;   ///< compensator reading across the line of sight; may be empty
   std::string tiltLengthArcsec;  ///< along the line of sight; signs: compensator.h
-  std::string corrections;       ///< switches that were on, words of `correctionSwitches` or "none"; empty:
-                                 ///< unknown
+  std::string corrections;       ///< switches that were on (`correctionSwitches`) or "none"; empty: unknown
   std::string takenAt;           ///< time of transmission by the instrument, ISO 8601 with zone; may be empty
   std::string returnCode;        ///< GeoCOM return code received with the angles; may be empty
   std::string instrumentSerial;  ///< serial of the sending instrument; may be empty
@@ -56,14 +54,14 @@ struct PointingZero {
   ZeroSighting after = {};       ///< after the readings, in face 1
   ZeroSighting afterInTwo = {};  ///< after the readings, in face 2
   JsonOrigin origin = {};
-  std::string takenAt = {}, returnCode = {}, instrumentSerial = {};  ///< of the first, as in a row
+  std::string takenAt = {}, returnCode = {}, instrumentSerial = {};  ///< of the first sighting
 
   bool operator==(const PointingZero&) const = default;
 };
 
-/// The place of a further sighting of a pointing zero.
+/// The key, member, face and time of a further sighting of a pointing zero.
 struct ZeroSlot {
-  const char* key;  ///< in the session file, within `pointing_zero`
+  const char* key;  ///< key within `pointing_zero` of the session file
   ZeroSighting PointingZero::*sighting;
   int face;
   bool isAfter;
@@ -87,7 +85,7 @@ struct KnownSize {
   std::string parameter = {};  ///< one of its parameters; empty if it has only one
   std::string value = {};      ///< empty: 0
   std::string sigma = {};      ///< standard uncertainty; required
-  std::string unit = {};       ///< that of the catalogue
+  std::string unit = {};       ///< unit of the parameter in the catalogue
   std::string from = {};       ///< source of the knowledge
   std::string date = {};       ///< date of the finding
   JsonOrigin origin = {};
@@ -114,21 +112,21 @@ struct NamedRecord {
   bool operator==(const NamedRecord&) const = default;
 };
 
-/// The line of sight passes the vertical axis at a distance e. For e > 0 face 1 reads e/(D cos(elevation))
-/// too much on the horizontal circle and face 2 as much too little, D along the line of sight. At one
-/// distance this is a collimation of e/D, added to the known collimation.
+/// The line of sight passes the vertical axis at a distance e. For e > 0 the horizontal circle reads e/(D
+/// cos(elevation)) too much in face 1 and as much too little in face 2; D is the distance along the line of
+/// sight. At one distance this is a collimation of e/D, added to the known collimation.
 struct LineOfSight {
   std::string offsetMm = {};     ///< e; empty: unknown
-  std::string sigmaMm = {};      ///< its standard uncertainty; empty: 0
-  std::string correlation = {};  ///< with the known collimation, −1 … 1; empty: 0
+  std::string sigmaMm = {};      ///< standard uncertainty of e; empty: 0
+  std::string correlation = {};  ///< correlation of e with the known collimation, −1 … 1; empty: 0
 
   bool operator==(const LineOfSight&) const = default;
 };
 
 struct Instrument {
   std::string name, serial;
-  std::string certificate;   ///< of its calibration
-  std::string traceability;  ///< of its circles: reference standards and laboratory
+  std::string certificate;   ///< calibration certificate
+  std::string traceability;  ///< reference standards and laboratory to which the circles are traceable
   std::string angleUnit;  ///< of angles typed without one, and of displayed angles: "dms", "degrees", "gon"
   std::string sigmaHorizontalArcsec;   ///< empty: 2
   std::string sigmaVerticalArcsec;     ///< empty: 2
@@ -155,7 +153,7 @@ struct Geometry {
   std::string distanceMm;       ///< L, theodolite to arc plane; required
   std::string sigmaDistanceMm;  ///< empty: 0, taken as exact
   std::string radiusMm;         ///< nominal R0; required
-  std::string sigmaRadiusMm;    ///< of R0 if it is known in the model; empty: 0, taken as exact
+  std::string sigmaRadiusMm;    ///< standard uncertainty of R0; empty: 0, and a known radius is exact
   std::string verticalCircle;   ///< "zenith" or "elevation"; empty: zenith
   std::string pointingZeros;    ///< "each": sighted in each position; "one": once for all; empty: each
   std::string plane = {};       ///< of the arc: "vertical", or "square" to the pointing zero; empty: vertical
@@ -163,9 +161,8 @@ struct Geometry {
   /// in each position; "unknown"; empty: a mark if the zeros agree.
   std::string zeroIs = {};
   std::string distanceFrom;              ///< how L was measured, and its traceability
-  std::string distanceExpansionPpmPerK;  ///< of L, as stated for 20 °C; empty: 0, L holds at the session's
-                                         ///< temperature
-  std::string radiusExpansionPpmPerK;    ///< of R0 likewise
+  std::string distanceExpansionPpmPerK;  ///< expansion of L, stated for 20 °C; empty: 0, L is not converted
+  std::string radiusExpansionPpmPerK;    ///< expansion of R0, stated for 20 °C; empty: 0
   JsonOrigin origin;
 
   bool operator==(const Geometry&) const = default;
@@ -176,7 +173,7 @@ struct Acceptance {
   std::string measurand;    ///< limited by the tolerance: "intersection" or "distance"; empty: intersection
   std::string coverage;     ///< in (0, 1); empty: 0.95
   std::string referenceIntersectionMm;  ///< the set value of the device, if known; never enters a fit
-  std::string sigmaReferenceMm;         ///< of the reference; empty: not stated
+  std::string sigmaReferenceMm;         ///< standard uncertainty of the reference; empty: not stated
   JsonOrigin origin;
 
   bool operator==(const Acceptance&) const = default;

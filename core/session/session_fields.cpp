@@ -12,14 +12,14 @@ namespace {
 
 constexpr double infinite = std::numeric_limits<double>::infinity();
 constexpr double longestMm = 1e6;
-// The lower limit is finer than any circle; far below it, evidence and weights lose their digits.
+// The lower limit is finer than any circle; far below it, Bayes factors and weights would lose their digits.
 constexpr double leastSigmaArcsec = 0.001, largestSigmaArcsec = 3600;
 
 // A choice within 0.5″ to 1.5″, the assumed range of setting accuracies of compensators; not from a data
 // sheet. A session should state that of its instrument.
 constexpr double usualSigmaCompensator = 1;
 
-// The line of sight passes the vertical axis within some tenths of a millimetre.
+// Far above a true offset of the line of sight, which is some tenths of a millimetre.
 constexpr double largestOffsetMm = 10;
 
 constexpr const char* noLength =
@@ -550,7 +550,7 @@ const SessionField* sessionFieldNamed(std::string_view key) {
 }
 
 bool isSameMeasurement(const Session& a, const Session& b) {
-  if (a.positions != b.positions) return false;  // before the copy, since most edits are of readings
+  if (a.positions != b.positions) return false;  // most edits differ here, which saves the copy
   Session same = a;
   for (const SessionField& field : allSessionFields)
     if (!field.isOfMeasurement) field.at(same) = field.get(b);

@@ -12,7 +12,7 @@
 namespace alidade {
 
 // The single texts of a session, defined once for all uses: the session file, the checks of entries, the
-// forms of the window, undo, the journal and the comparison of sessions. A new one takes a member in
+// forms of the window, undo, the journal and the comparison of sessions. A new text needs a member in
 // session.h, a line in session_fields.cpp, and one in the schema of the session file.
 
 /// A text with a fixed set of values, or of a fixed form. Returns the reason why a text is invalid.
@@ -26,25 +26,25 @@ struct WordChoice {
 /// The English texts are for the translation contexts "Field" (`noun`) and "Forms" (all others); null: none.
 struct SessionField {
   std::string_view key;  ///< in the session file: "geometry.distance_mm"
-  const char* noun;      ///< in undo texts, in the journal, in lists of missing entries
+  const char* noun;      ///< name in undo texts, in the journal and in lists of missing entries
   std::variant<FreeText, NumberRule, WordRule> rule = FreeText();
   const char* remedy = nullptr;     ///< if the field is missing in a file, for `Phrase::of`; null: optional
-  const char* caption = nullptr;    ///< in a form, with a mnemonic
+  const char* caption = nullptr;    ///< label in a form, with a mnemonic
   const char* unit = nullptr;       ///< shown after the entry
   const char* whenEmpty = nullptr;  ///< what an empty entry means
   const char* help = nullptr;       ///< tool tip
-  std::span<const WordChoice> choices = {};  ///< a list instead of a line
-  bool fillsRow = false;                     ///< for long texts: a row of its own in a form
+  std::span<const WordChoice> choices = {};  ///< shown as a list instead of a line to type in
+  bool fillsRow = false;                     ///< long texts have a whole row of a form
   bool isOfMeasurement = true;      ///< false: says who, where and for whom, and never enters a result
   bool isOfOneMeasurement = false;  ///< whether the next session begins without it (`nextSession`)
-  bool isWantedOnReport = false;    ///< by ISO/IEC 17025:2017, 7.8.2, 7.8.4 and, for the decision rule, 7.8.6
+  bool isWantedOnReport = false;    ///< ISO/IEC 17025:2017 wants it: 7.8.2, 7.8.4; the decision rule: 7.8.6
 
   const std::string& (*get)(const Session& session) = nullptr;
   std::string& (*at)(Session& session) = nullptr;
 
-  /// The object of the session file that holds it, "geometry"; empty: the session itself.
+  /// The object of the session file that contains the field, "geometry"; empty: the session itself.
   std::string_view part() const { return key.substr(0, key.find('.') == key.npos ? 0 : key.find('.')); }
-  std::string_view name() const { return key.substr(key.find('.') + 1); }  ///< within its part
+  std::string_view name() const { return key.substr(key.find('.') + 1); }  ///< key within `part()`
   ValueKind kind() const {
     return std::holds_alternative<NumberRule>(rule) ? ValueKind::Number : ValueKind::Text;
   }
@@ -53,14 +53,14 @@ struct SessionField {
 /// All fields in the order of the session file.
 std::span<const SessionField> sessionFields();
 
-/// Null if there is none.
+/// The field with this key; null if there is none.
 const SessionField* sessionFieldNamed(std::string_view key);
 
-/// Do two sessions measure the same? The journal, and entries that only say who, where and for whom, may
-/// differ.
+/// Do two sessions contain the same measurement? The journal, and entries that only say who, where and for
+/// whom, may differ.
 bool isSameMeasurement(const Session& a, const Session& b);
 
-/// A number typed with the unit of its field, "400 mm", without the unit. Other texts as typed.
+/// The number of a text with the unit of its field, such as "400 mm"; other texts as typed.
 std::string withoutUnit(const SessionField& field, const std::string& typed);
 
 /// Returns the reason why `text` is invalid in the field.

@@ -14,11 +14,11 @@ namespace alidade {
 Result<Session> readSession(std::string_view text);
 
 /// The session as the text of a file, ending in a newline: indented by two blanks, one line per reading.
-/// Starts from the origins, so that load and save preserve everything; an unchanged session is written with
-/// equal JSON.
+/// Writing starts from the origins, so that load and save preserve everything; an unchanged session is
+/// written with equal JSON.
 std::string writeSession(const Session& session);
 
-/// Reads a session from a file; the problem says why the file cannot be opened.
+/// Reads a session from a file; the problem says why the file cannot be opened, or what is wrong in it.
 Result<Session> loadSession(const std::string& path);
 
 }  // namespace alidade

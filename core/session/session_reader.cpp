@@ -111,7 +111,7 @@ Position readPosition(const Json& json, std::size_t index, RowsRead rows, std::o
       PHRASE_LATER("Phrase", "add the circle readings of the direction perpendicular to the arc plane"));
   if (problem) return position;
   position.zero = readPointingZero(reader.object("pointing_zero"));
-  reader.list("readings");  // requires a list
+  reader.list("readings");  // reports any value that is not a list
   if (!problem) problem = std::move(rows.problem);
   position.readings = std::move(rows.readings);
   position.origin = reader.origin({"pointing_zero", "readings"});

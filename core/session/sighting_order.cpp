@@ -27,7 +27,7 @@ int faceOf(const Reading& row) {
   return numberOr(row.face, 1);
 }
 
-/// Equal texts need not be parsed: there may be very many rows.
+/// Do the rows have the same round and face? Equal texts are not parsed: there may be very many rows.
 bool isOfOneStretch(const Reading& a, const Reading& b) {
   return (a.round == b.round || roundOf(a) == roundOf(b)) && (a.face == b.face || faceOf(a) == faceOf(b));
 }
@@ -57,7 +57,7 @@ std::size_t stretchBefore(const std::vector<Reading>& rows, std::size_t end) {
   return end == 0 ? 0 : end - 1;
 }
 
-/// The row at index `rows.size()` of a position that begins with the same rows; null if there is none.
+/// The row after the last in another position that begins with the same rows; null if there is none.
 const Reading* asInAnotherPosition(const Session& session, std::size_t position) {
   const std::vector<Reading>& rows = session.positions[position].readings;
   for (std::size_t i = 0; i < session.positions.size(); ++i) {
@@ -69,7 +69,7 @@ const Reading* asInAnotherPosition(const Session& session, std::size_t position)
   return nullptr;
 }
 
-/// The next point, if the last stretch repeats the beginning of the stretch before or of its reverse; else
+/// The row with the next point if the last stretch repeats the stretch before, forwards or backwards; else
 /// null.
 const Reading* asInTheStretchBefore(const std::vector<Reading>& rows) {
   const std::size_t first = lastStretch(rows);
@@ -100,8 +100,8 @@ int nextPoint(const std::vector<Reading>& rows) {
 /// The last places, if each place is sighted in both faces before the slider moves.
 struct Pairs {
   bool isHalf = false;    ///< the last place lacks its second face
-  int firstFace = 1;      ///< of the last whole pair
-  int faceBefore = 0;     ///< of the pair before that; 0 if there is none
+  int firstFace = 1;      ///< first face of the last whole pair
+  int faceBefore = 0;     ///< first face of the pair before; 0 if there is none
   std::size_t whole = 0;  ///< index of the first row of the last whole pair
 };
 
@@ -117,7 +117,7 @@ std::optional<Pairs> pairsAtTheEnd(const std::vector<Reading>& rows) {
   return Pairs{isHalf, faceOf(rows[end - 2]), isPair(end - 2) ? faceOf(rows[end - 4]) : 0, end - 2};
 }
 
-/// The next row in pairs of faces, 1 2 1 2 or 1 2 2 1, as before.
+/// The next row if the last rows are pairs of faces; it continues their order, 1 2 1 2 or 1 2 2 1.
 std::optional<Reading> asInPairs(const std::vector<Reading>& rows) {
   const auto pairs = rows.empty() ? std::nullopt : pairsAtTheEnd(rows);
   if (!pairs) return {};
@@ -142,7 +142,7 @@ std::optional<Reading> asInTheProtocol(const Session& session, std::size_t posit
   const auto next = progress ? nextPlaceIn(*progress, position) : std::nullopt;
   if (!next) return {};
   Reading row = rowFor(progress->sightings[*next].planned);
-  // Rounds and faces are written out if earlier rows have them written out.
+  // Round 1 and face 1 are written out if they are written out in the last row.
   const std::vector<Reading>& rows = session.positions[position].readings;
   if (!rows.empty() && row.round.empty() && !rows.back().round.empty()) row.round = "1";
   if (!rows.empty() && row.face.empty() && !rows.back().face.empty()) row.face = "1";

@@ -11,9 +11,9 @@ namespace alidade {
 // The order of sightings: there and back, in one face and the other, or as in an earlier position. A stretch
 // is a run of rows of one round and face.
 
-/// The next row of a position, with only point, round and face. It follows, in this order: the session's
-/// protocol (`protocol_progress.h`), until complete; another position that begins with the same rows; pairs
-/// of faces at each place, if the last places have them; the stretch before, in its order or reversed; the
+/// The next row of a position, with only point, round and face. It follows the first that applies: the
+/// session's protocol (`protocol_progress.h`), until complete; another position that begins with the same
+/// rows; pairs of faces at each place, if the last places have them; the stretch before, either way; the
 /// direction of the last two points (point 1 of an empty position). `chosen` as in `progressOf`.
 Reading followingReading(const Session& session, std::size_t position,
                          std::optional<std::size_t> chosen = {});

@@ -224,7 +224,7 @@ class ProtocolReader {
   std::optional<Problem>& m_problem;
 };
 
-/// Contains only minutes that differ from the usual ones, or that were in the file.
+/// The JSON of minutes that differ from the usual ones, with unknown keys of the file.
 nlohmann::ordered_json minutesJson(const SightingMinutes& minutes) {
   const SightingMinutes usual;
   ObjectWriter writer(minutes.origin);
@@ -289,7 +289,7 @@ std::optional<Angle> angleOf(const std::string& text) {
   return entry ? *entry : std::nullopt;
 }
 
-/// The problem with the protocol's place in the session.
+/// The problem, with its place inside the session's `protocol`.
 Problem within(const Problem& problem) {
   const std::string inside = problem.where.path();
   return {problem.what, {.field = inside.empty() ? "protocol" : "protocol." + inside}};

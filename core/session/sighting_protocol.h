@@ -14,7 +14,7 @@
 
 namespace alidade {
 
-// A measurement protocol: the sightings of a session, their number and order. A separate file,
+// A measurement protocol: the sightings of a session, their number and order. It is a separate file,
 // `*.alidade-protocol`, or the `protocol` of a session that follows it. A session has one orientation of the
 // horizontal circle per position. So turning the circle between two rounds begins a repeat of the position,
 // with its own pointing zero.
@@ -32,7 +32,7 @@ struct ProtocolPlace {
 
 /// One run through all places: a round of the session.
 struct ProtocolRound {
-  bool isBack = false;  ///< from the last place to the first
+  bool isBack = false;  ///< the round goes from the last place to the first
   /// The faces in the order of pointing, while the slider is at rest: one face, both, or both twice. In the
   /// last case every other place uses the second pair: 1 2 2 1 saves turning the telescope over.
   std::vector<int> faces = {1};
@@ -43,8 +43,8 @@ struct ProtocolRound {
 
 /// The faces in which the pointing zero is sighted, in the order of pointing.
 struct ProtocolZeros {
-  std::vector<int> before = {1}, after = {};  ///< relative to the readings; `before` contains face 1, which
-                                              ///< is required
+  std::vector<int> before = {1}, after = {};  ///< before and after the readings; `before` always
+                                              ///< contains face 1
   JsonOrigin origin = {};
 
   bool operator==(const ProtocolZeros&) const = default;
@@ -55,7 +55,7 @@ struct ProtocolPosition {
   /// Rotation of the horizontal circle relative to its first orientation, as typed; empty: none.
   std::string circleTurn = {};
   ProtocolZeros zeros = {};
-  std::vector<ProtocolPlace> places = {};  ///< its own; empty: those of the protocol
+  std::vector<ProtocolPlace> places = {};  ///< places of this position; empty: those of the protocol
   std::vector<ProtocolRound> rounds = {{}};
   JsonOrigin origin = {};
 
@@ -65,8 +65,8 @@ struct ProtocolPosition {
 struct SightingProtocol {
   std::string name = {}, description = {};
   bool readsSlider = false;  ///< the slider is read at each place
-  /// Within a position, the next sighting is the most informative one for its minutes, and the axis is turned
-  /// when that is more informative. False: the sightings have a fixed order.
+  /// Within a position, the next sighting is the most informative one per minute, and the axis is turned when
+  /// that is more informative. False: the sightings have a fixed order.
   bool isByWorth = false;
   /// Nobody chose the protocol: it applies only as long as the rows of the session follow it.
   bool isYielding = false;
@@ -85,7 +85,7 @@ struct SightingProtocol {
 /// Limit of sightings in a protocol: more than anyone takes by hand.
 inline constexpr std::size_t mostSightings = 10'000;
 
-/// The protocol by worth: every position also a second time, so that the axis may be turned back.
+/// The protocol by worth, within `mostSightings` with every position twice, so that the axis may turn back.
 SightingProtocol openOrder(SightingProtocol protocol);
 /// The protocol in its order again, without what `openOrder` added.
 SightingProtocol listedOrder(SightingProtocol protocol);
@@ -98,10 +98,10 @@ std::size_t sightingCount(const SightingProtocol& protocol);
 Result<SightingProtocol> readProtocol(std::string_view text);
 /// The protocol as the text of a file, ending in a newline. Unknown keys are preserved.
 std::string writeProtocol(const SightingProtocol& protocol);
-/// Reads a protocol from a file; the problem says why the file cannot be opened.
+/// Reads a protocol from a file; the problem says why the file cannot be opened, or what is wrong in it.
 Result<SightingProtocol> loadProtocol(const std::string& path);
 
-/// The protocol in the text of a session; absent without one. Fails, with the place in the session.
+/// The protocol in the text of a session; absent without one. Fails, with the place, if it is invalid.
 Result<std::optional<SightingProtocol>> statedProtocol(const Session& session);
 /// The text for `Session::protocol`.
 std::string protocolText(const SightingProtocol& protocol);
@@ -109,7 +109,7 @@ std::string protocolText(const SightingProtocol& protocol);
 /// The coordinate s of the slider at a place, if the protocol states it: from the nominal arc angle, else
 /// from the slider coordinate.
 std::optional<Angle> nominalPlace(const ProtocolPlace& place);
-/// Rotation of a position's circle relative to that of the first.
+/// Rotation of a position's circle relative to its orientation in the first position; 0 if none is stated.
 Angle circleTurn(const ProtocolPosition& position);
 
 }  // namespace alidade

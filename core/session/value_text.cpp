@@ -12,7 +12,7 @@ namespace alidade {
 
 namespace {
 
-/// Formats without an exponent, which angles do not have; reads back as the same double.
+/// The shortest text without an exponent, which angles may not have, that reads back as the same double.
 std::string plainDecimal(double value) {
   char text[1100];  // room for the smallest and the largest double
   const auto result = std::to_chars(text, text + sizeof text, value, std::chars_format::fixed);

@@ -20,7 +20,7 @@ std::optional<std::string> textOf(const nlohmann::ordered_json& value, ValueKind
 /// The JSON value for a typed text.
 nlohmann::ordered_json valueOf(const std::string& text, ValueKind kind);
 
-/// The text as read back from a file: the number 1.0 becomes 1.
+/// The text after writing to a file and reading it back: the number 1.0 becomes 1.
 std::string filedText(const std::string& text, ValueKind kind);
 
 /// The members of a JSON list as texts; other types than strings as their JSON.

@@ -25,7 +25,7 @@ namespace {
 /// Largest difference between sightings of one direction, including all errors of the instrument.
 constexpr double farthestApart = 0.5;  // degrees
 
-/// One sighting in face 1, relative to the first.
+/// One sighting converted to face 1, relative to the first.
 struct FromFirst {
   int face = 1;
   bool isAfter = false;
@@ -37,7 +37,7 @@ struct FromFirst {
 
 struct PositionZero {
   std::optional<FaceOneReading> first;
-  std::vector<FromFirst> sightings;  ///< including the first
+  std::vector<FromFirst> sightings;  ///< all sightings, the first included
 };
 
 class ZeroExaminer : private ProblemReporter {
@@ -118,7 +118,7 @@ FaceMean meanOfFace(const std::vector<FromFirst>& sightings, int face) {
   return meanOf(sightings, [face](const FromFirst& one) { return one.face == face; });
 }
 
-/// The mean of the faces' differences between after and before.
+/// The mean change of the faces sighted before and after the readings; absent if there is no such face.
 std::optional<ZeroSightings::Move> moveOf(const std::vector<FromFirst>& sightings) {
   ZeroSightings::Move move{.horizontal = {}, .vertical = {}, .factor = 0};
   int faces = 0;
@@ -152,8 +152,8 @@ std::vector<SightedZero> apartFrom(const std::vector<FromFirst>& sightings, Angl
   return apart;
 }
 
-/// Returns the mean of the faces that count, each the mean of its sightings. `up`: 1 if the vertical circle
-/// increases upwards, otherwise −1.
+/// Returns the zero: the mean of the means of each face that counts. `up`: 1 if the vertical circle increases
+/// upwards, otherwise −1.
 ZeroDirection directionOf(const PositionZero& zero, bool withFaceTwo, double up) {
   std::vector<FromFirst> counting = zero.sightings;
   std::erase_if(counting, [&](const FromFirst& one) { return one.face == 2 && !withFaceTwo; });
@@ -198,7 +198,7 @@ void addScatter(Scatter& scatter, const std::vector<FromFirst>& sightings, Angle
   }
 }
 
-/// Assigns the sightings of all positions to each of them; false if two contradict each other.
+/// Gives each position the sightings of all; false if two sightings contradict each other.
 bool poolSightings(std::vector<PositionZero>& zeros) {
   std::map<std::pair<int, bool>, FromFirst> pooled;
   const FaceOneReading* first = nullptr;

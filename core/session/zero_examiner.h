@@ -16,7 +16,7 @@ namespace alidade {
 struct ZeroDirection {
   Angle horizontal, vertical;
   ZeroSightings sightings = {};
-  std::vector<SightedZero> each = {};  ///< those that count; without their moments
+  std::vector<SightedZero> each = {};  ///< the sightings that count, without their moments
 };
 
 struct ExaminedZero {

@@ -38,7 +38,7 @@ Problem of(const std::string& path, const std::string& trouble) {
   return Problem{Phrase::of("%1: %2", visibleText(path), trouble)};
 }
 
-/// OpenSSL's last error, for experts.
+/// The reason of OpenSSL's last error, for experts.
 std::string reasonOfOpenSsl() {
   const char* reason = ERR_reason_error_string(ERR_peek_last_error());
   ERR_clear_error();

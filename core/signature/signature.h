@@ -24,8 +24,8 @@ inline constexpr const char* passphraseVariable = "ALIDADE_SIGN_PASSPHRASE";
 /// `openssl cms -verify -binary -inform DER -in FILE.p7s -content FILE` checks a signature.
 class Signer {
  public:
-  /// Fails if others can read the key, if a file is unreadable or of the wrong kind, or if the passphrase is
-  /// wrong. Also fails if key and certificate do not match, or the certificate is not valid now.
+  /// Fails if others may access the key's file, a file is unreadable or of the wrong kind, or the passphrase
+  /// is wrong. Also fails if key and certificate do not match, or the certificate is not valid now.
   static Result<Signer> load(const SigningFiles& files);
 
   Result<std::string> sign(std::string_view bytes) const;
