@@ -15,14 +15,14 @@ namespace alidade::console {
 
 namespace {
 
-/// A way to read a session, and what its progress is measured by.
+/// An order of sightings, and the unit in which its progress is measured.
 struct Axis {
   const char* way;
   WatchedRun WatchedRuns::*run;
   const char* unit;
   bool isMinutes;
 
-  /// The length of a run, or of one of its looks.
+  /// The length of a run, or of the run up to a `Look`, in minutes or sightings.
   template <typename Watched>
   double lengthOf(const Watched& watched) const {
     return isMinutes ? watched.minutes : static_cast<double>(watched.sightings);
@@ -38,7 +38,7 @@ struct Shares {
   double right = 0, wrong = 0;  ///< percent
 };
 
-/// The shares of sessions that were named by `at`, in percent: rightly, wrongly.
+/// The shares, in percent, of trials whose run is at most `at` long and names causes rightly, or wrongly.
 Shares sharesAt(const std::vector<const AdaptiveTrial*>& trials, const Axis& axis, double at) {
   std::size_t right = 0, wrong = 0;
   for (const AdaptiveTrial* trial : trials)
@@ -50,7 +50,7 @@ Shares sharesAt(const std::vector<const AdaptiveTrial*>& trials, const Axis& axi
   return {percent * static_cast<double>(right), percent * static_cast<double>(wrong)};
 }
 
-/// Mean U of the clean sessions at `at`; empty until each of them has one.
+/// The mean U of the clean sessions at the length `at`, mm; absent until each of them has a U.
 std::optional<double> expandedAt(const std::vector<WatchedRuns>& clean, const Axis& axis, double at) {
   if (clean.empty()) return std::nullopt;
   double sum = 0;

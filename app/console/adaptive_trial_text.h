@@ -12,8 +12,8 @@ std::string adaptiveTrialText(const AdaptiveTrials& trials);
 /// One JSON document: every trial, and every watched session without an effect.
 std::string adaptiveTrialJson(const AdaptiveTrials& trials);
 
-/// Curves of both ways against sightings and against minutes, as CSV: of each kind and of all the shares of
-/// sessions named rightly and wrongly by then, and the mean U of Δd (mm) of the clean sessions.
+/// Curves of both orders over sightings and over minutes, as CSV: the percentages of sessions named rightly
+/// and wrongly, for each kind of cause and for all kinds, and the mean U of Δd (mm) of clean sessions.
 std::string adaptiveTrialCsv(const AdaptiveTrials& trials);
 
 }  // namespace alidade::console

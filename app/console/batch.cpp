@@ -47,7 +47,7 @@ std::string cellOf(const std::string& file) {
   return cell.text().substr(cell.text().find('\n') + 1);
 }
 
-/// The rows of a table, each behind the name of its file. The column names are kept only if `isFirst`.
+/// The rows of a table, each preceded by the name of its file. The column names are kept only if `isFirst`.
 std::string asRows(const std::string& file, const std::string& table, bool isFirst) {
   std::string cell = cellOf(file), rows;
   cell.back() = ',';
@@ -85,7 +85,7 @@ class OrderedOutput {
   OrderedOutput(const std::vector<ListedFile>& files, const BatchOptions& options)
       : m_files(files), m_options(options), m_waiting(kept), m_progress(files.size(), options.progress) {}
 
-  /// Waits while the result would be too far ahead of the output. False: writing is no longer possible.
+  /// Waits while the result is too far ahead of the output. Returns false if writing is no longer possible.
   bool awaitTurn(std::size_t index) {
     std::unique_lock lock(m_guard);
     m_moved.wait(lock, [&] { return m_broken || index < m_written + kept; });

@@ -12,7 +12,7 @@ namespace alidade::console {
 
 struct BatchOptions {
   std::size_t threads = 0;  ///< 0: one per processor core. No effect on the results
-  bool progress = false;    ///< printed on stderr even without a terminal
+  bool progress = false;    ///< prints progress on stderr even without a terminal
   bool json = false;
   bool lines = false;  ///< the results are one line each, with no empty line between
   bool table = false;  ///< the results are tables (CSV) of the same columns, whose cells hold no line ends
@@ -31,7 +31,7 @@ std::size_t threadsOf(const BatchOptions& options);
 int answerEach(const std::vector<std::string>& named,
                const std::function<Result<std::string>(const std::string& file)>& answer,
                const BatchOptions& options);
-/// The same for a list of inputs made beforehand.
+/// `answerEach` for inputs that are already listed.
 int answerEach(const SessionFiles& list,
                const std::function<Result<std::string>(const std::string& file)>& answer,
                const BatchOptions& options);

@@ -16,7 +16,7 @@ int writeResult(std::string_view result);
 /// Writes `subject: message` as one line to stderr, with invisible characters escaped.
 void notify(std::string_view subject, std::string_view message);
 
-/// The same for an unusable input; returns `BadInput`.
+/// Reports an unusable input by `notify`; returns `BadInput`.
 int refuse(std::string_view subject, std::string_view reason);
 
 /// The name of the input in messages: the file as given, or “standard input” for `-`.

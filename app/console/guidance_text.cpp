@@ -21,7 +21,6 @@ namespace {
 
 using Rows = std::vector<std::vector<std::string>>;
 
-/// An angle for pointing.
 std::string pointingText(Angle angle, CircleUnit unit) {
   return formatAngle(angle, unit, 0);
 }

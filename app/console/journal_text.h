@@ -10,8 +10,8 @@ namespace alidade::console {
 /// Recorded changes in order; below them whether the journal is complete and how the session was sealed.
 std::string journalText(const std::string& name, const Session& session, const JournalCheck& check);
 
-/// {"session", "whole", "changed_readings", "sealed": null or {"at", "by", "revision", "unchanged"},
-/// "entries": [as in the session file]}.
+/// {"session", "whole", "changed_readings", "contradictions": […], "sealed": null or {"at", "by", "revision",
+/// "unchanged"}, "seals": […], "entries": [as in the session file]}.
 std::string journalJson(const std::string& name, const Session& session, const JournalCheck& check);
 
 }  // namespace alidade::console

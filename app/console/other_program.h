@@ -7,7 +7,7 @@
 
 namespace alidade::console {
 
-/// What a finished program said.
+/// The result of a finished program.
 struct ProgramEnd {
   int exitCode = 0;    ///< 128 + signal if a signal ended it
   std::string errors;  ///< its stderr

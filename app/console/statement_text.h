@@ -6,7 +6,7 @@
 
 namespace alidade::console {
 
-/// An empty line, the table under its title, the sentences and the note. Empty if there is nothing to tell.
+/// An empty line, the table under its title, the sentences and the note. Empty without rows and sentences.
 std::string statementText(const Statement& statement);
 
 }  // namespace alidade::console

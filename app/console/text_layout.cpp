@@ -24,7 +24,7 @@ std::vector<std::size_t> columnWidths(const std::vector<std::vector<std::string>
   return widths;
 }
 
-/// Takes the next word if it is a unit, which stays on the line of its number.
+/// Reads the next word if it is a unit, which must stay on the line of its number; otherwise leaves the word.
 bool peekUnit(std::istringstream& words, std::string& unit) {
   const std::istringstream::pos_type before = words.tellg();
   if (words >> unit && (unit.starts_with("mm") || unit.starts_with("%"))) return true;

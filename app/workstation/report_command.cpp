@@ -32,7 +32,7 @@ QDateTime dateOfReport() {
   return isSet ? QDateTime::fromSecsSinceEpoch(seconds, Qt::UTC) : QDateTime::currentDateTime();
 }
 
-/// Writes `sentence`, a pattern for `Phrase::of`, with the lacks to stderr. Returns exit code 0.
+/// Writes `sentence` (for `Phrase::of`) with the missing entries to stderr, if any. Returns exit code 0.
 int reportLacks(const QString& path, const char* sentence, const QStringList& lacks) {
   std::vector<std::string> nouns;
   for (const QString& noun : lacks) nouns.push_back(noun.toStdString());

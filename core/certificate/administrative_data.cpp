@@ -39,7 +39,7 @@ bool isDay(const std::string& text) {
   return !text.empty() && !dateProblem(text);
 }
 
-/// Records the entries that are empty.
+/// Converts entries to texts of the certificate, and records the nouns of those that are empty.
 class Statement {
  public:
   explicit Statement(StatedEntries& entries) : m_entries(entries) {}
@@ -133,7 +133,7 @@ void addItems(const Element& to, const CertificateSource& source, const StatedEn
   else
     item.typed("name", stated.device);
   addName(item.add("manufacturer"), stated.manufacturer);
-  // A value without translations, as for identifiers.
+  // The schema has no translations for the value of an identification.
   item.add("identifications")
       .identification(
           "manufacturer", stated.serial.empty() ? "not stated" : stated.serial,

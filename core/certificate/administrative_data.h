@@ -6,7 +6,8 @@
 
 namespace alidade {
 
-/// The session's statements for a certificate; fails as `calibrationCertificate` does.
+/// The entries for a certificate. Fails without the day of the measurement, or on an invalid day, country or
+/// place of performance.
 Result<StatedEntries> statedEntries(const CertificateSource& source, const CertificateOptions& options);
 
 /// Adds the `administrativeData`. `languages`: those of the certificate.
@@ -14,7 +15,7 @@ void addAdministrativeData(const Element& certificate, const CertificateSource& 
                            const CertificateOptions& options,
                            const std::vector<CertificateLanguage>& languages, const StatedEntries& stated);
 
-/// Adds this program to a list of software.
+/// Adds the element `list` with this program as its only software.
 void addSoftware(const Element& to, const char* list, const std::string& version);
 
 }  // namespace alidade

@@ -32,7 +32,7 @@ struct CertificateOptions {
 
 struct CalibrationCertificate {
   std::string xml;
-  /// Of a draft: required entries that are empty, as nouns for `Phrase::of`, "not stated" in the certificate.
+  /// Nouns for `Phrase::of`: the required entries that are empty. A draft states them as “not stated”.
   std::vector<const char*> notStated;
 };
 

@@ -12,8 +12,8 @@ namespace alidade {
 struct CertificateSource {
   const Session& session;
   const FitAnswer& answer;  ///< of that session
-  std::string fileName;     ///< of the session, without folder; empty: unsaved
-  std::string_view bytes;   ///< of its file, or as they would be saved
+  std::string fileName;     ///< name of the session's file, without folder; empty: unsaved
+  std::string_view bytes;   ///< bytes of the session's file, as saved or as it would be saved
 };
 
 }  // namespace alidade

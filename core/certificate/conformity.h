@@ -8,10 +8,10 @@
 
 namespace alidade {
 
-/// The statement of conformity in the schema's words. `pass` and `fail` are the verdict's accept and reject
-/// without a condition; with one, such as a cause or that the tripod was not knocked, `conditionalPass` and
-/// `conditionalFail`. An undecided verdict is also conditional (ILAC-G8:09/2019, 4.2.3), if only U prevents a
-/// decision and both values of the measurand are on the same side of the tolerance. Otherwise, and without a
+/// The statement of conformity in the schema's words: `pass` for accept, `fail` for reject. If the verdict
+/// has a condition, such as a cause or that the tripod was not knocked: `conditionalPass`, `conditionalFail`.
+/// These also apply to an undecided verdict (ILAC-G8:09/2019, 4.2.3) if only U prevents a decision, and both
+/// values of the measurand are on the same side of the tolerance. In all other cases, and without a
 /// tolerance, there is no statement.
 std::optional<std::string_view> conformityOf(const FitAnswer& answer);
 

@@ -19,7 +19,7 @@ std::string base64(std::string_view bytes) {
   // Four characters for every three bytes, and OpenSSL's terminating zero.
   std::string text(4 * ((bytes.size() + 2) / 3) + 1, '\0');
   std::size_t length = 0;
-  constexpr std::size_t piece = std::size_t{3} << 24U;  // whole triples, so that a length fits into an int
+  constexpr std::size_t piece = std::size_t{3} << 24U;  // fits into an int; a multiple of 3 needs no padding
   while (!bytes.empty()) {
     const std::string_view part = bytes.substr(0, piece);
     length += static_cast<std::size_t>(EVP_EncodeBlock(reinterpret_cast<unsigned char*>(text.data() + length),
@@ -35,7 +35,7 @@ bool isBlankSign(char c) {
   return c == ' ' || c == '\t' || c == '\n' || c == '\r';
 }
 
-/// XML 1.0 excludes the last two characters of the first plane.
+/// Writes U+FFFE and U+FFFF as escapes, since XML 1.0 excludes these characters.
 std::string withoutNonCharacters(std::string_view text) {
   std::string result;
   while (!text.empty()) {

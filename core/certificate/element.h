@@ -26,8 +26,8 @@ struct CertificateLanguage {
 /// a terminal, reverse text or hide it, are written as escapes (`visibleText`).
 std::string certificateText(std::string_view text);
 
-/// An element of the certificate. Names are those of the schema, with the prefix `dcc:` unless they have
-/// `si:`.
+/// An element of the certificate. Names are those of the schema. A name without the prefix `si:` gets the
+/// prefix `dcc:`.
 class Element {
  public:
   /// `languages`: at least one; must outlive the element.
@@ -39,9 +39,9 @@ class Element {
   void value(const char* name, const std::string& text) const;
   /// Adds an element of `textType` or `richContentType`, with one `content` for each language.
   Element say(const char* name, const Say& text) const;
-  /// Adds such an element with user text in an unknown language.
+  /// Adds an element of `textType` with one `content`: user text in an unknown language.
   Element typed(const char* name, const std::string& text) const;
-  /// Adds a further `content` to such an element.
+  /// Adds to this element a further `content` for each language.
   void addContent(const Say& text) const;
   /// Adds an element of `byteDataType`: the bytes as base64.
   void file(const char* name, const std::string& fileName, const std::string& mimeType,

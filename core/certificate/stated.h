@@ -8,8 +8,8 @@
 
 namespace alidade {
 
-/// The entries required by the schema, as the session states them; empty ones are “not stated” in a
-/// certificate.
+/// The entries required by the schema, as session and options state them. A certificate states empty ones as
+/// “not stated”.
 struct StatedEntries {
   std::string identifier;   ///< the report's number, or one derived from the session's bytes
   std::string country;      ///< ISO 3166-1; if empty "ZZ", which is reserved for private use
@@ -19,7 +19,7 @@ struct StatedEntries {
   std::string customer, customerAddress;
   std::string authorisedBy, operatorName;
   std::string device, manufacturer, serial;
-  std::vector<const char*> notStated;  ///< nouns for `Phrase::of`, in the order of the schema
+  std::vector<const char*> notStated;  ///< nouns for `Phrase::of` of the empty entries
 };
 
 /// "report number, customer": the nouns in the language of the thread.

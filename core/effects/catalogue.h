@@ -12,7 +12,7 @@ namespace alidade {
 class OwnEffects;
 struct Measurement;
 
-/// Every effect that is a linear combination of error terms, in the order of the catalogue.
+/// The effects of the catalogue, each a group of error terms of the forward model, in a fixed order.
 std::span<const Effect> effectCatalogue();
 
 /// The effects that may explain a gap, in the same order.
@@ -36,7 +36,7 @@ bool needsSlider(const Effect& effect);
 /// The factor from `unit` to the model's own unit: radians, mm or 1.
 double modelUnitsPer(std::string_view unit);
 
-/// The displayed name of a parameter, of an effect or another cause, that is called `name` in files.
+/// The displayed name of a parameter of an effect or another cause; `name` is its name in files.
 std::string parameterName(std::string_view name);
 
 /// 1σ of the plausible size, in the unit of the term: rad, mm or 1.

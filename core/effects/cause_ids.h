@@ -16,15 +16,15 @@ inline constexpr const char* grossErrorId = "gross_error";
 inline constexpr const char* noiseId = "underestimated_noise";
 inline constexpr const char* relationId = "vertical_angle_relation";  ///< an effect of the catalogue
 
-/// A form outside the catalogue: a step by which a gap shrinks, never a cause.
+/// The step of a diagnosis that adds forms to the model. A form is never a cause.
 inline constexpr const char* formId = "form";
 
-/// The session's prior knowledge of effects: the first step by which a gap shrinks, rather than a cause.
+/// The first step of a diagnosis with known sizes, which adds them to the model. It is not a cause.
 inline constexpr const char* knownId = "known_sizes";
 
 /// Every id a diagnosis may name: the effects of the catalogue, a jump, misread values, larger noise.
 const std::vector<std::string>& diagnosableEffects();
-/// Is `id` one of these, or one of the user's own effects of `measurement`?
+/// Is `id` one of `diagnosableEffects`, or an effect of the user's own in `measurement`?
 bool isDiagnosable(std::string_view id, const Measurement& measurement);
 
 }  // namespace alidade

@@ -26,11 +26,11 @@ const EffectParameter* findParameter(const Measurement& measurement, const Known
 struct KnownPrior {
   double value = 0, sigma = 0;
   std::string from = {};   ///< the sources of the values, separated by "; "
-  std::string date = {};   ///< the latest
+  std::string date = {};   ///< the latest date of the values
   double staleChance = 0;  ///< p; the greatest one of several values
 };
 
-/// The combined knowledge of a session, weighted by σ⁻²; absent if there is none.
+/// The knowledge of a parameter in a session: its known values, weighted by σ⁻². Absent without any.
 std::optional<KnownPrior> knownOf(const Measurement& measurement, const EffectParameter& parameter);
 
 /// The knowledge of each parameter of an effect; absent unless all are known.
@@ -39,7 +39,7 @@ std::optional<std::vector<KnownPrior>> knownOf(const Measurement& measurement, c
 /// Probability that the known size of an effect is outdated; 0 without a known size.
 double staleChanceOf(const Measurement& measurement, const Effect& effect);
 
-/// Is any parameter of the catalogue known?
+/// Is any parameter of the catalogue or of the user's own effects known?
 bool isAnythingKnown(const Measurement& measurement);
 
 }  // namespace alidade

@@ -17,7 +17,7 @@
 
 namespace alidade {
 
-/// The contents of charts, drawn by the window along with the evaluation. The core never reads them.
+/// The contents of charts, which the window computes along with the evaluation. The core never reads them.
 struct EvaluationPictures;
 
 /// Everything computed from one copy of the session except its diagnosis. A plain value shown alike by
@@ -26,19 +26,19 @@ struct Evaluation {
   Session session;
   Examined examined;
   SessionFit fit;                                ///< valid if `examined.measurement` is present
-  PublishedSessionFit published;                 ///< likewise; with very many rows only after `isSearched`
+  PublishedSessionFit published;                 ///< likewise
   std::optional<TwoFaces> twoFaces;              ///< if visits were read in both faces
   std::vector<Suspect> suspects;                 ///< readings that look misread, the most certain first
   bool isSearched = true;                        ///< false: `suspects` and `journal` follow later
   std::string journal = {};                      ///< `journalSummary`, which may require writing the session
-  std::optional<FailedWork> failure = {};        ///< a possible fit failed
-  std::optional<FailedWork> searchFailure = {};  ///< the search for suspects failed
+  std::optional<FailedWork> failure = {};        ///< why a fit that the entries allow failed
+  std::optional<FailedWork> searchFailure = {};  ///< why the search for suspects failed
   std::vector<std::optional<NextReading>> next = {};        ///< for each position
   std::shared_ptr<const Guide> guide = {};                  ///< null if the session has no protocol
-  std::shared_ptr<const EvaluationPictures> pictures = {};  ///< null if nobody drew them
+  std::shared_ptr<const EvaluationPictures> pictures = {};  ///< null if not computed
 };
 
-/// Views may keep it as long as they like.
+/// An evaluation that views share and may keep as long as they like.
 using SharedEvaluation = std::shared_ptr<const Evaluation>;
 
 /// The evaluation without the journal summary and the suspects, whose search takes several times as long. If
@@ -46,13 +46,13 @@ using SharedEvaluation = std::shared_ptr<const Evaluation>;
 Evaluation evaluateFit(Session session, const std::stop_token& stop = {});
 /// The complete evaluation, including suspects and journal summary.
 Evaluation withSuspects(Evaluation evaluation, const std::stop_token& stop = {});
-/// A complete copy, made once the suspects are found; absent if asked to stop before.
+/// A complete copy of `fitted`, made after the search for suspects; absent if asked to stop before its end.
 std::optional<Evaluation> copyWithSuspects(const Evaluation& fitted, const std::stop_token& stop);
 /// The evaluation after a failed fit: the session and the problems of its entries, without a fit.
 Evaluation failedEvaluation(Session session, FailedWork failure);
 /// The fit without suspects, after their search failed.
 Evaluation withoutSuspects(Evaluation evaluation, FailedWork failure);
-/// Runs both stages.
+/// Runs `evaluateFit` and `withSuspects`.
 Evaluation evaluate(Session session);
 
 }  // namespace alidade

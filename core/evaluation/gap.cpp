@@ -12,7 +12,7 @@ namespace alidade {
 
 namespace {
 
-/// Root mean square of a quantity of the circle readings, arcseconds.
+/// Root mean square of a quantity of the circle readings, arcseconds; `square` returns its square in rad².
 template <typename Square>
 double rmsOf(const JointFit& fit, Square square) {
   double sum = 0;
@@ -35,7 +35,7 @@ GapStage stageOf(const SessionFit& fit) {
   return stage;
 }
 
-/// Absent if a diagnosis is possible.
+/// Why no diagnosis is possible; absent if one is possible.
 std::optional<NoDiagnosis> reasonForNone(const Evaluation& evaluation) {
   const SessionFit& fit = evaluation.fit;
   if (evaluation.failure) return *evaluation.failure;
@@ -44,7 +44,7 @@ std::optional<NoDiagnosis> reasonForNone(const Evaluation& evaluation) {
   return std::nullopt;
 }
 
-/// The bare model, then with one more effect of the session at each stage.
+/// The stage of the bare model, then one stage for each effect of the session's model, which it adds.
 std::vector<GapStage> modelledStages(const Evaluation& evaluation, const std::stop_token& stop) {
   std::vector<GapStage> stages;
   Measurement measurement = *evaluation.examined.measurement;

@@ -26,7 +26,7 @@ struct GapStage {
   Kind kind = Kind::Bare;
   std::string effect = {};      ///< id; empty for Bare
   std::size_t grossErrors = 1;  ///< for a gross_error: number of excluded values
-  double rms = 0;               ///< of the circle readings, arcseconds
+  double rms = 0;               ///< of the circle residuals, arcseconds
   double reducedChiSquare = 0;
   std::optional<IntersectionEstimate> intersection;
 };
@@ -45,14 +45,14 @@ using NoDiagnosis = std::variant<Absence, FailedWork, DiagnosisFault>;
 struct Gap {
   SharedEvaluation evaluation;
   std::optional<Diagnosis> diagnosis;
-  NoDiagnosis reason = Absence::NotMade;  ///< without a diagnosis
+  NoDiagnosis reason = Absence::NotMade;  ///< why there is no diagnosis
   std::vector<GapStage> stages;  ///< with a diagnosis: from the bare model to the model with the causes
   double noiseRms = 0;           ///< rms expected from the stated noise, arcseconds
-  bool isWithReference = false;  ///< requested: the causes are weighed with the reference
+  bool isWithReference = false;  ///< whether the causes are weighed with the reference
   /// The single rows on which the verdict depends; absent: not sought yet.
   std::optional<std::vector<Dependence>> dependences = {};
 
-  /// The stage of the current session: the last one that is not proposed.
+  /// The stage of the session's own model: the last stage before the proposed causes.
   const GapStage& asModelled() const;
   /// True for a gap that the session's model does not explain, in residuals or between the positions.
   bool isOpen() const { return diagnosis && hasGap(*diagnosis); }
@@ -76,14 +76,14 @@ struct Gap {
 /// The undetectable effects of which a plausible size moves Δd by more than `expanded`, mm.
 std::vector<UndetectableEffect> undetectableBeyond(const Diagnosis& diagnosis, double expanded);
 
-/// The gap of this evaluation with its diagnosis: computes the stages. Asked to stop, it returns with fewer.
+/// The gap of an evaluation and its diagnosis, with the stages. If asked to stop, computes fewer stages.
 Gap gapOf(SharedEvaluation evaluation, Diagnosis diagnosis, const std::stop_token& stop = {});
 /// Diagnoses the evaluation, weighing the causes with the reference (`DiagnosisOptions::withReference`) if
 /// requested. Takes many times as long as a fit; asked to stop, it returns early without a diagnosis.
 Gap assessGap(const SharedEvaluation& evaluation, const std::stop_token& stop = {},
               bool withReference = false);
-/// The gap with its `dependences`, sought if they were not. Takes several diagnoses; asked to stop, it
-/// returns early without them.
+/// The gap with its `dependences`. If they are absent, seeks them, which takes as long as several diagnoses.
+/// If asked to stop, returns early without them.
 Gap withDependences(Gap gap, const std::stop_token& stop = {});
 /// A gap without a diagnosis, for this reason.
 Gap noGap(SharedEvaluation evaluation, NoDiagnosis reason);

@@ -21,11 +21,11 @@ struct Guide {
   ProtocolProgress progress;
   std::vector<std::optional<ExpectedReading>> expected;  ///< for each sighting
   std::optional<SightingChoice> choice = {};             ///< in a protocol by worth
-  std::vector<Repeat> repeats;                           ///< those that look misread only after the search
+  std::vector<Repeat> repeats;                           ///< misread sightings only after the search
   std::string problem = {};  ///< why the protocol cannot be followed; everything else is then empty
 };
 
-/// The guide of a fitted evaluation; null without a protocol, or with more rows than anyone types.
+/// The guide of a fitted evaluation; null without a protocol, or with more than `mostSightings` rows.
 std::shared_ptr<const Guide> guideOf(const Evaluation& evaluation);
 
 }  // namespace alidade

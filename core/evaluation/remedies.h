@@ -26,7 +26,7 @@ struct Jump {
   std::optional<RowRange> before = {}, after = {};
 };
 
-/// Empty unless the cause is a jump.
+/// The jump that a cause describes; absent if the cause is not a jump.
 std::optional<Jump> jumpOf(const Gap& gap, const Cause& cause);
 
 /// σ of both circles, arcseconds, as they would be typed.
@@ -34,8 +34,8 @@ struct StatedNoise {
   std::string horizontal, vertical;
 };
 
-/// The σ that the readings show: the stated σ times the ratio found, to two digits each. Empty unless the
-/// cause is larger noise.
+/// The σ that the readings show: the stated σ times the ratio found, to two digits each. Absent if the cause
+/// is not larger noise.
 std::optional<StatedNoise> scatterOf(const Gap& gap, const Cause& cause);
 
 }  // namespace alidade

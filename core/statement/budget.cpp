@@ -24,7 +24,7 @@ std::string nameOf(const UncertaintyShare& share) {
   return share.effect.empty() ? textOf(share) : effectName(share.effect);
 }
 
-/// "0.0071": how many mm one unit of an effect's numbers moves Δd by; empty if they are not of one size.
+/// "0.0071": the change of Δd, mm, per unit of an effect's numbers; empty if their 1σ or units differ.
 std::string sensitivityText(const UncertaintyShare& share) {
   if (share.sizes.empty()) return "";
   const PlausibleSize& first = share.sizes.front();
@@ -43,9 +43,9 @@ std::string typeWithDegrees(const UncertaintyShare& share) {
                                                : type;
 }
 
-/// A row of the budget of Δd, measured.
+/// Makes the rows of the budget of Δd, measured.
 struct ShareRows {
-  double sigma = 0;  ///< of the whole, mm
+  double sigma = 0;  ///< u of Δd, measured, mm
   int decimals = decimalsFor(sigma) + 1;
 
   Cells cells(std::string name, double part, Cells size = {"", "", "", ""}) const {

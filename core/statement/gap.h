@@ -19,7 +19,8 @@ Statement gapVerdict(const Gap& gap);
 /// empty for forms, patterns and details.
 Statement gapCauses(const Gap& gap);
 
-/// Sentences on each form, where the model holds without it, and by how much the gap shrinks; no table.
+/// Sentences on each form: the range in which the model is valid without the form, and how much the form
+/// reduces the gap. No table.
 Statement gapForms(const Gap& gap);
 
 /// The residuals and Δd in each stage from the bare model to Δd, measured.

@@ -36,7 +36,7 @@ std::optional<double> shareGone(double before, double after) {
   return share > noticeable ? std::optional(share) : std::nullopt;
 }
 
-/// The largest closure that fails before and no longer after.
+/// The change of the largest misclosure among the closures that fail before and hold after.
 Change closing(const std::vector<Closure>& before, const std::vector<Closure>& after) {
   Change change;
   double largest = 0;
@@ -66,8 +66,8 @@ Change calming(double before, double after) {
   return {Phrase::of("reduced χ² %1 → %2", displayText(before, 2), displayText(after, 2)), share};
 }
 
-/// The change by a step of the diagnosis: that of closures, residuals or reduced χ², whichever is the first
-/// to shrink noticeably; of the first two the one that shrinks more.
+/// The change by a step of the diagnosis: that of a closure or of the residuals, whichever shrinks more. If
+/// neither shrinks noticeably, that of reduced χ².
 Change changeByStep(const Diagnosis& diagnosis, std::size_t step) {
   std::vector<Closure> closures;
   for (const ClosureStep& closure : diagnosis.closures) closures.push_back(closure.before);
@@ -116,7 +116,7 @@ class Rows {
   }
 
   std::string sizeOf(double value, double sigma, const std::string& unit) const {
-    constexpr double exact = 1e-6;  // the order of a harmonic is a whole number
+    constexpr double exact = 1e-6;  // of |value|; a smaller σ means an exact number, such as an order
     if (!(sigma > exact * std::abs(value))) return displayShortest(value) + signOf(unit);
     return sizeWithExpanded(value, m_coverage * sigma, unit);
   }
@@ -141,7 +141,8 @@ class Rows {
     return made;
   }
 
-  /// The change by the next step of the effect. One effect may be two causes, such as slips in two places.
+  /// The change by the first step of the effect that no row lists yet. One effect may be two causes, such as
+  /// misread values at two places.
   Change changeBy(const Cause& cause) {
     const auto& steps = m_gap.diagnosis->steps;
     for (std::size_t i = 0; i < steps.size(); ++i) {
@@ -205,7 +206,7 @@ class Rows {
 
   const Gap& m_gap;
   double m_coverage;
-  std::vector<std::size_t> m_listedSteps = {};  ///< steps that belong to a row
+  std::vector<std::size_t> m_listedSteps = {};  ///< steps that a row already lists
 };
 
 /// The assumptions of the probabilities.

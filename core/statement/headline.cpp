@@ -60,7 +60,7 @@ std::string measuredTip(const Measurement& measurement, const MeasuredIntersecti
       displayShortest(100 * measurement.coverage), acrossSentence(measured));
 }
 
-/// The result in the first line, with its place on the scale of the tolerance.
+/// Sets name and figure, and with a tolerance and a finite U the scale of the tolerance.
 void setFigure(Headline& headline, const Measurement& measurement, const std::string& name, double value,
                double expanded) {
   headline.name = name;
@@ -70,7 +70,7 @@ void setFigure(Headline& headline, const Measurement& measurement, const std::st
                                     name == distanceName ? "d ± U" : "|Δd| ± U"};
 }
 
-/// Everything except figure, verdict and lines.
+/// A headline with the tolerance and Δd, fit only; the other parts are still to be set.
 Headline frameOf(const Measurement& measurement, const SessionFit& fit) {
   Headline headline{.name = Phrase::of("Δd"), .figure = "—", .tolerance = toleranceText(measurement)};
   if (!fit.intersection) return headline;
@@ -105,7 +105,7 @@ void setMeasured(Headline& headline, const Measurement& measurement, const Measu
     setFigure(headline, measurement, headline.name, measured.estimate.value, measured.estimate.expanded);
 }
 
-/// The verdict on a diagnosed fit, or on the fit only, which is no acceptance.
+/// Sets the verdict and its basis. Without a diagnosis the verdict is marked "fit only", `decided` is absent.
 void setVerdict(Headline& headline, const Measurement& measurement, const SessionFit& fit,
                 const Diagnosis* diagnosis, const std::optional<AcceptanceDecision>& decision) {
   if (!decision) {

@@ -15,7 +15,7 @@ struct CentreOffset {
   double inPlane = 0, inPlaneExpanded = 0;  ///< Δd, measured, up
   double across = 0, acrossExpanded = 0;    ///< Δz, towards the theodolite
   std::optional<double> tolerance = {};
-  bool isOfDistance = false;  ///< the tolerance is of the distance from the axis, not of Δd
+  bool isOfDistance = false;  ///< the tolerance applies to the distance from the axis, not to Δd
 };
 
 /// The one result of a session: console, window, inset, Large Display and report show these lines. The texts
@@ -25,7 +25,7 @@ struct Headline {
   struct Line {
     enum class Kind {
       Interval,      ///< an interval crosses the limit, so the verdict is open
-      Across,        ///< the part that the tolerance does not apply to
+      Across,        ///< Δz; for a tolerance of the distance, Δd and Δz
       Gap,           ///< model and readings disagree: the condition of the verdict, or why it is open
       Knock,         ///< the verdict holds unless the tripod was knocked
       Row,           ///< the verdict depends on a single row
@@ -51,7 +51,7 @@ struct Headline {
   std::vector<Line> lines = {};
   std::string sentence = {};        ///< the basis of the verdict, or why there is none; may be empty
   std::string fitOnly = {};         ///< "Δd, fit only: 1.31 ± 0.21 mm"; empty without Δd
-  std::string fitOnlyDetails = {};  ///< its coverage, k and u
+  std::string fitOnlyDetails = {};  ///< coverage, k and u of Δd, fit only
   bool isMeasured = false;          ///< the figure includes every catalogued effect
   bool isProvisional = false;       ///< the diagnosis is running; the figure is that of the fit only
 

@@ -25,15 +25,15 @@ struct Judged {
   double value, expanded;
 };
 
-/// "The interval from 0.21 to 0.59 mm crosses the limit of 0.5 mm"; empty if it does not, or if U is too
-/// large to determine the value.
+/// "The interval from 0.21 to 0.59 mm crosses the limit of 0.5 mm"; empty if the interval does not cross the
+/// limit, or if U is too large to determine the value.
 std::string crossing(const Judged& judged, const Measurement& measurement, const char* text) {
   const auto [value, expanded] = judged;
   const double size = std::abs(value), tolerance = *measurement.tolerance;
   const bool isAcross = size - expanded <= tolerance && size + expanded > tolerance;
   if (!isAcross || !isDetermined(measurement, expanded)) return "";
   const int decimals = decimalsToDecide(value, expanded, tolerance);
-  // The ends are those of the rounded figures, so that a reader who adds them finds the same.
+  // The ends are computed from the rounded figures, so that a reader who adds these finds the same ends.
   const double unit = std::pow(10, -decimals), shown = std::round(value / unit),
                wide = std::round(expanded / unit);
   return Phrase::of(text, displayText((shown - wide) * unit, decimals),
@@ -41,7 +41,7 @@ std::string crossing(const Judged& judged, const Measurement& measurement, const
                     displayShortest(value < 0 ? -tolerance : tolerance));
 }
 
-/// Why U keeps the verdict open; empty if it does not.
+/// The sentence on the interval that crosses the limit and so keeps the verdict open; may be empty.
 std::string intervalText(const Measurement& measurement, const SessionFit& fit,
                          const IntersectionEstimate& found, const MeasuredIntersection* measured,
                          const AcceptanceDecision* decision) {
@@ -59,7 +59,8 @@ std::string intervalText(const Measurement& measurement, const SessionFit& fit,
       PHRASE_LATER("Phrase", "The interval of the fit only, from %1 to %2 mm, crosses the limit of %3 mm"));
 }
 
-/// The part that the tolerance does not apply to, or both parts of a distance.
+/// The line on Δz, to which a tolerance of Δd does not apply. For a tolerance of the distance from the axis,
+/// the line on both its parts.
 Line acrossLine(const Measurement& measurement, const MeasuredIntersection& measured) {
   const bool isOfDistance = measurement.measurand == Measurand::Distance;
   const IntersectionEstimate& inPlane = measured.estimate;
@@ -81,7 +82,7 @@ Line acrossLine(const Measurement& measurement, const MeasuredIntersection& meas
       .isWarning = isAcrossSignificant(measured)};
 }
 
-/// Whether the verdict was reached, so that the causes are its condition.
+/// Whether the verdict is accept or reject, so that the causes are its condition.
 bool isReached(const AcceptanceDecision* decision) {
   return decision && decision->verdict != Verdict::Undecided;
 }
@@ -111,7 +112,7 @@ bool isFound(const Diagnosis& diagnosis, const std::string& effect) {
   return std::ranges::find(diagnosis.causes, effect, &Cause::effect) != diagnosis.causes.end();
 }
 
-/// The look-alikes of the only cause besides noise; empty without exactly one such cause.
+/// The look-alikes of the only cause besides noise; empty if there is no such cause or more than one.
 std::vector<std::string> lookAlikes(const Diagnosis& diagnosis) {
   std::vector<std::string> names;
   const Cause* only = nullptr;
@@ -156,7 +157,7 @@ std::string knockText(const Diagnosis& diagnosis, const AcceptanceDecision& deci
       moments, influence);
 }
 
-/// A jump may have happened besides the one found.
+/// The name of an undetectable effect. A jump is "a further jump" if the diagnosis found one.
 std::string undetectableName(const Diagnosis& diagnosis, const std::string& effect) {
   const bool isFurther = effect == jumpId && isFound(diagnosis, effect);
   return isFurther ? Phrase::of("a further jump of the orientation") : causeName(effect);
@@ -182,8 +183,8 @@ std::string referenceGiven(const Measurement& measurement) {
              : Phrase::of("%1 mm", reference);
 }
 
-/// E_n = (Δd − reference)/√(U² + U_ref²) as in ISO 13528; U_ref is the U of the reference at the same
-/// coverage factor as the intersection's.
+/// The line with E_n = |Δd − reference|/√(U² + U_ref²), the size of E_n in ISO 13528. U_ref is σ of the
+/// reference times the coverage factor of Δd, fit only.
 Line referenceLine(const Measurement& measurement, const SessionFit& fit, const IntersectionEstimate& found) {
   const double difference = found.value - *measurement.referenceIntersection;
   const double own = fit.intersection->coverageFactor * measurement.sigmaReference.value_or(0);

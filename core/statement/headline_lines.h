@@ -7,7 +7,7 @@
 
 namespace alidade {
 
-/// Does an expanded uncertainty (mm) determine Δd? It does if it is less than the nominal radius.
+/// Whether an expanded uncertainty (mm) is small enough to determine Δd: less than the nominal radius.
 bool isDetermined(const Measurement& measurement, double expanded);
 
 /// The lines of small type below the result, in the order of `Headline::Line::Kind`. `decision` belongs to

@@ -15,7 +15,7 @@ Statement monteCarloCheck(const MonteCarlo& check, const Intersection* linear);
 /// Whether propagated and simulated uncertainty agree: "Agrees."
 std::string agreementWord(const MonteCarlo& check);
 
-/// The difference of the interval ends, the tolerance, and the consequence.
+/// States the difference of the interval ends, its tolerance, and the consequence.
 std::string agreementSentence(const MonteCarlo& check);
 
 }  // namespace alidade

@@ -27,8 +27,8 @@ using Attainable = std::vector<AttainableUncertainty>;
 struct Entry {
   std::vector<Measure> measures = {};
   std::string shows = {};
-  double ofCauses = 0, ofUncertainty = 0;  ///< worth, as of a `NextSighting`
-  std::optional<double> expanded = {};     ///< U afterwards, mm; absent if hardly smaller
+  double ofCauses = 0, ofUncertainty = 0;  ///< worth, defined as for `NextSighting`
+  std::optional<double> expanded = {};     ///< U afterwards, mm; absent if hardly smaller than now
 
   double worth() const { return ofCauses + ofUncertainty; }
   double effort() const { return effortOf(measures); }
@@ -51,7 +51,7 @@ void add(Entry& entry, std::string shows, double ofCauses, double ofUncertainty)
   entry.ofUncertainty = std::max(entry.ofUncertainty, ofUncertainty);
 }
 
-/// "shows a and b", "separates any two of a, b and c; one answer is left with a probability of 90 %".
+/// "would show a and b by 3.0 σ or more", "separates any two of a, b and c by 4.1 σ or more; probability …".
 std::string whatItShows(const Advice& advice) {
   const std::string names = causeNames(advice.separates, Phrase::of(" and ")),
                     sigmas = displayText(advice.bySigma, 1);
@@ -75,7 +75,8 @@ std::string whatItShows(const PlanAdvice& advice) {
   return texts.size() == 2 ? Phrase::of("%1; %2", texts[0], texts[1]) : listed(texts);
 }
 
-/// Σ √(wᵢ wⱼ)(1 − BCᵢⱼ) over the pairs of no effect and each shown effect; w: 1 and the prior odds.
+/// Σ √(wᵢ wⱼ)(1 − BCᵢⱼ) over the pairs of “no effect” and each shown effect. w is 1 for “no effect” and the
+/// prior odds for an effect; BC is the Bhattacharyya coefficient.
 double worthOfShowing(const Advice& advice) {
   const double overlap = std::exp(-square(advice.bySigma) / 8);
   return static_cast<double>(advice.separates.size()) * std::sqrt(priorOddsOfEffect()) * (1 - overlap);
@@ -101,7 +102,7 @@ void addAttainable(std::vector<Entry>& entries, const Attainable& attainable) {
   }
 }
 
-/// Adds the entries that only reduce U. Keeps the entry of most worth and those of most worth per effort.
+/// Adds the entries that only reduce U. Keeps at most three: the worthiest, and the worthiest per effort.
 std::vector<Entry> fewOf(std::vector<Entry> all, const Attainable& attainable) {
   constexpr std::size_t most = 3;
   addAttainable(all, attainable);
@@ -131,7 +132,7 @@ Attainable knownOf(Attainable attainable) {
   return attainable;
 }
 
-/// Decimals of every U.
+/// The number of decimals for every U: as many as the smallest U needs.
 int decimalsOf(const Attainable& attainable) {
   int decimals = 0;
   for (const AttainableUncertainty& one : attainable)
@@ -170,7 +171,7 @@ Statement statementOf(std::vector<Entry> entries, const Attainable& attainable,
 }
 
 std::vector<Entry> entriesOf(const Diagnosis& diagnosis) {
-  constexpr double steps = 20;  // a twentieth is no difference
+  constexpr double steps = 20;  // probabilities are compared in steps of a twentieth
   std::vector<Entry> entries;
   for (const Advice& advice : diagnosis.advice) {
     Entry& entry = entryOf(entries, advice.measures);

@@ -26,8 +26,8 @@ Statement planAdvice(const PlanReview& review, const SessionEffort& session);
 /// What helps if more rounds do not; empty if nothing does.
 Statement insteadStatement(const Outlook& outlook);
 
-/// Gives a statement without a table the rows of these measures and known effects with U. The first entry of
-/// the list, which has neither, gets no row.
+/// Adds a table to a statement without one: a row with U for each entry except the first, which has neither
+/// measures nor a known effect.
 void addUncertainties(Statement& statement, const std::vector<AttainableUncertainty>& attainable);
 
 }  // namespace alidade

@@ -24,7 +24,7 @@ std::string nameOf(const std::string& cause) {
   return cause.empty() ? Phrase::of("no cause") : causeName(cause);
 }
 
-/// A cause in addition to one that is certain; empty: none.
+/// A cause in addition to one that is certain: "with plane tilt"; "alone" if `cause` is empty.
 std::string additionText(const std::string& cause) {
   return cause.empty() ? Phrase::of("alone") : Phrase::of("with %1", nameOf(cause));
 }
@@ -67,7 +67,7 @@ std::string alternativesSentence(const SightingChoice& choice, const ProtocolPro
                        : Phrase::of("Nearly as informative: %1.", listed(names, Phrase::of(" or ")));
 }
 
-/// The evidence from its natural logarithm: "2300", "4.5", "more than 1 000 000".
+/// A Bayes factor from its natural logarithm: "2300", "4.5", "more than 1 000 000".
 std::string evidenceText(double logEvidence) {
   constexpr double most = 13.8;  // ln 1 000 000
   if (logEvidence > most) return Phrase::of("more than 1 000 000");
@@ -108,7 +108,7 @@ std::string namedSentence(const SessionSoFar& state) {
                     evidenceText(state.logEvidence));
 }
 
-/// Of a cause that is certain, but not enough yet.
+/// The sentence if a cause is certain, but the readings are not enough yet.
 std::string evidentSentence(const SessionSoFar& state) {
   const std::string first = groupText(state.certain, state.causes);
   if (!state.named.empty())

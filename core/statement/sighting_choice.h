@@ -8,11 +8,11 @@
 
 namespace alidade {
 
-/// Why the chosen sighting is next, which others tell nearly as much, and whether the readings are enough.
-/// Also the possible causes with their probabilities, and the effects that were not looked for.
+/// States why the chosen sighting is next, which others are nearly as informative, and whether the readings
+/// are enough. Lists the possible causes with their probabilities, and the effects not looked for.
 Statement sightingChoiceStatement(const SightingChoice& choice, const ProtocolProgress& progress);
 
-/// "Enough: the cause is named, the collimation (98 %). …"; also if it is not enough yet.
+/// "Enough: the cause is named, collimation (98 %); …", or why the readings are not enough yet.
 std::string enoughSentence(const SessionSoFar& state);
 
 }  // namespace alidade

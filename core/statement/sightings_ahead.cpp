@@ -17,7 +17,7 @@ namespace {
 
 using Sightings = std::span<const NextSighting>;
 
-/// Removes from `rest`, and returns, its first sightings with the same key (`keyOf`).
+/// Removes the first sightings from `rest`, as far as their key (`keyOf`) is the same, and returns them.
 template <typename KeyOf>
 Sightings firstAlike(Sightings& rest, KeyOf keyOf) {
   const auto end = std::ranges::find_if(

@@ -5,8 +5,8 @@
 
 namespace alidade {
 
-/// "For U = 0.10 mm of Δd: 22 more sightings in 31 min.", with the sightings of each position in a row. If U
-/// is not reached: the U that these sightings reach, and what would reduce U further.
+/// "For U = 0.1 mm of Δd, whatever effect is there: 22 more sightings in 31 min.", with a row of points for
+/// each position in turn. If U (`uncertainty`, mm) is not reached: the U reached, and what reduces U further.
 Statement sightingsAheadStatement(const SightingsAhead& ahead, double uncertainty);
 
 }  // namespace alidade

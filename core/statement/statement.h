@@ -14,7 +14,7 @@ struct Statement {
       Name,    ///< what the row is about
       Word,    ///< a short word, such as a type
       Figure,  ///< a number with its unit
-      Bar,     ///< a quantity, with a bar of `Row::bar`
+      Bar,     ///< a quantity with a bar of length `Row::bar`
       Text,    ///< words of any length, below the row
       Remark,  ///< shown only on demand if there is no room for it
     };
@@ -29,10 +29,10 @@ struct Statement {
     std::vector<std::string> cells;  ///< one for each column
     bool isTotal = false;            ///< a sum of the rows above
     bool isPart = false;             ///< a detail of the nearest row above that is not a part
-    bool isNotable = false;          ///< stands out, such as a closure that fails
+    bool isNotable = false;          ///< highlighted, such as a closure that fails
     std::string id = {};             ///< what actions on the row refer to: "trunnion_tilt"
-    std::string about = {};          ///< explains its name; shown on demand
-    std::optional<double> bar = {};  ///< 0…1, of the column with this role
+    std::string about = {};          ///< explains the row's name; shown on demand
+    std::optional<double> bar = {};  ///< length of the bar in the column of this role, 0…1
   };
 
   std::string id;  ///< "budget_measured"
@@ -42,12 +42,13 @@ struct Statement {
   std::vector<std::string> sentences = {};
   std::string note = {};  ///< explains the columns
 
-  /// The cells of a row with the role Text, each below the row: "cannot be told from: gravity sag".
+  /// The cells of a row that are shown below it, from columns with the role Text, each after the title of its
+  /// column: "cannot be told from: gravity sag".
   std::vector<std::string> textsBelow(const Row& row) const;
 };
 
-/// The same with a row for each column and a column for each row, for a narrow place. Details become remarks:
-/// "0°: 17; 0° again: 16". `statement` has columns of names and figures only.
+/// Exchanges the rows and columns of a statement, for a narrow place. Details become remarks, each on a line:
+/// "0° again: 16". `statement` has columns of names and figures only.
 Statement transposed(const Statement& statement);
 
 }  // namespace alidade

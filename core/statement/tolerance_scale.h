@@ -10,7 +10,7 @@ struct ToleranceScale {
   double size = 0;        ///< |value|
   double expanded = 0;    ///< U, finite
   double tolerance = 1;   ///< > 0
-  std::string name = {};  ///< of what is shown: "|Δd| ± U"
+  std::string name = {};  ///< what is shown: "|Δd| ± U"
 
   double low() const { return size > expanded ? size - expanded : 0; }
   double high() const { return size + expanded; }
@@ -18,8 +18,8 @@ struct ToleranceScale {
   double end() const;
 };
 
-/// "0 |=====[==|--]------:----| 2.5 mm": `=` up to the size, brackets around the interval, a colon at the
-/// limit, which the figure states. `width` is the number of characters of the scale, at least 10.
+/// "0 =====[==|--]------:----  2.5 mm": `=` up to the size, `|` at the size, brackets at the ends of the
+/// interval, a colon at the tolerance; the figure is the tolerance. The scale has `width` characters, ≥ 10.
 std::string scaleText(const ToleranceScale& scale, int width);
 
 }  // namespace alidade

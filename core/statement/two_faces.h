@@ -8,7 +8,7 @@ namespace alidade {
 /// Collimation, trunnion tilt and index with u, in arcseconds, and the scatter of the differences.
 Statement instrumentErrors(const TwoFaces& faces);
 
-/// Each visit read in both faces: 2c as read and its deviation from its course, and the index, in arcseconds.
+/// Each visit read in both faces: its elevation (°), 2c as read, the residual of 2c, and the index (″).
 Statement faceDifferences(const Measurement& measurement, const TwoFaces& faces);
 
 }  // namespace alidade

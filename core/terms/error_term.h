@@ -4,7 +4,7 @@
 
 namespace alidade {
 
-/// Most amplitudes of the user's own effects in one session.
+/// The largest number of amplitudes that the user's own effects may have together in one session.
 inline constexpr std::size_t mostOwnTerms = 6;
 
 /// The errors of instrument and guideway: parameters of the forward model that are zero for perfect ones.
@@ -67,12 +67,12 @@ constexpr bool isOfGuideway(ErrorTerm term) {
          static_cast<std::size_t>(term) < firstOwnInstrumentTerm;
 }
 
-/// Is it an amplitude of an effect of the user's own?
+/// Is the term an amplitude of an effect of the user's own?
 constexpr bool isOwn(ErrorTerm term) {
   return static_cast<std::size_t>(term) >= firstOwnTerm;
 }
 
-/// Is it part of a jump? A jump has a moment of its own and is outside the catalogue.
+/// Is the term part of a jump? A jump has a moment of its own and is outside the catalogue.
 constexpr bool isOfJump(ErrorTerm term) {
   return term == ErrorTerm::HorizontalJump || term == ErrorTerm::VerticalJump;
 }

@@ -172,7 +172,7 @@ class LinearityCheck {
     return parsers.evaluate(line);
   }
 
-  /// Equal up to rounding? Also true if one of them is not a number, which proves nothing.
+  /// Equal up to rounding? Also true if a value is not a number, since this does not prove a fault.
   static bool isAlike(double one, double other) {
     constexpr double rounding = 1e-9;
     return !(std::abs(one - other) > rounding * (1 + std::abs(one) + std::abs(other)));

@@ -31,7 +31,7 @@ struct FormulaArguments {
   double s = 0;                 ///< slider coordinate; 0 for a pointing zero
   double t = 0;                 ///< elapsed share of the session, 0…1
   double a = 0, e = 0;          ///< azimuth from the pointing zero, elevation over the horizon, in face 1
-  double horizontalCircle = 0;  ///< both circles: as read in the given face
+  double horizontalCircle = 0;  ///< as read in the given face, like the vertical circle
   double verticalCircle = 0;
   double leg = 1;       ///< 1 in odd rounds, −1 in even ones
   double round = 1;     ///< from 1
@@ -62,7 +62,7 @@ struct FormulaLine {
 
 struct FormulaAmplitude {
   std::string name;
-  FormCarrier carrier = FormCarrier::Radial;  ///< of its first line
+  FormCarrier carrier = FormCarrier::Radial;  ///< of the first line that contains it
 };
 
 /// A formula that passed all checks. Immutable, and shared between threads.
@@ -73,7 +73,7 @@ struct Formula {
 
 inline constexpr std::size_t longestFormula = 500;  ///< bytes
 
-/// Takes some 0.2 ms.
+/// Parses and checks a formula, in about 0.2 ms.
 Result<Formula, FormulaFault> parseFormula(std::string_view text);
 
 /// Evaluates the lines of a formula. Not for several threads at once.

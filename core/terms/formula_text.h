@@ -22,12 +22,12 @@ inline constexpr FormulaFunction formulaFunctions[] = {
     {"abs", 1},  {"sign", 1}, {"min", 2},   {"max", 2},         {"sinh", 1}, {"cosh", 1}, {"tanh", 1},
 };
 
-/// A variable of expressions and the argument that it takes its value from.
+/// A variable of expressions, and the argument that is its value.
 struct FormulaVariable {
   enum class Kind {
     Angle,   ///< rad
     Share,   ///< 0…1
-    Counted  ///< one of a few numbers
+    Counted  ///< a small whole number
   };
 
   std::string_view name;

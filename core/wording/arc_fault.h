@@ -6,7 +6,7 @@
 
 namespace alidade {
 
-/// The end of a sentence "The arc at 0° …", without a full stop: "has readings of 2 places; …".
+/// The predicate of a sentence about an arc, "has readings of 2 places; a circle …", without a full stop.
 std::string textOf(const ArcFault& fault);
 
 }  // namespace alidade

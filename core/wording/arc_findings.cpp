@@ -13,7 +13,7 @@ using namespace arc_finding;
 
 namespace {
 
-/// χ² as evidence of the scatter, in parentheses at the end of a sentence.
+/// "(reduced χ² 53.29 with 31 degrees of freedom)".
 std::string scatterText(double reducedChiSquare, int degreesOfFreedom) {
   return Phrase::of("(reduced χ² %1 with %2 degrees of freedom)", displayText(reducedChiSquare, 2),
                     degreesOfFreedom);

@@ -6,8 +6,8 @@
 
 namespace alidade {
 
-/// Returns the entry with the fewest further measures, among equal ones that with the smallest U; null if no
-/// measure reduces U.
+/// Returns the entry with the fewest measures, and of several such entries the one with the smallest U. Null
+/// if no entry has measures.
 const AttainableUncertainty* easiestMeasured(const std::vector<AttainableUncertainty>& attainable);
 
 }  // namespace alidade

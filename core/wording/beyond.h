@@ -6,7 +6,7 @@
 
 namespace alidade {
 
-/// Returns "averaged over the indistinguishable causes", …; empty for `Nothing`.
+/// Names what U includes beyond the fit: "averaged over the indistinguishable causes"; empty for `Nothing`.
 std::string textOf(Beyond beyond);
 
 }  // namespace alidade

@@ -16,7 +16,7 @@ namespace {
 double roundedTo(double value, int digits) {
   if (!(value > 0) || !std::isfinite(value)) return value;
   const double step = std::pow(10, std::floor(std::log10(value)) + 1 - digits);
-  // Divides by a whole number if possible, so that no digits from a power of ten appear.
+  // A step below 1 is inexact in binary. Dividing by the whole number 1/step avoids its rounding error.
   return step < 1 ? std::round(value / step) / std::round(1 / step) : std::round(value / step) * step;
 }
 

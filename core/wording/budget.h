@@ -7,20 +7,20 @@
 
 namespace alidade {
 
-/// "readings", "model effects", "known radius", "pointing zeros", "distance".
+/// "readings", "model effects", "plausible sizes", "known radius", "pointing zeros" or "distance".
 std::string textOf(UncertaintySource source);
 
-/// The origin: "readings", "plane_warp", "what else may explain the readings".
+/// The origin of a share: its source, "readings"; an effect, "plane_warp"; or "other possible explanations".
 std::string textOf(const UncertaintyShare& share);
-/// The source of the size of a share: "scatter", "stated", "default" of the catalogue, "known", "diagnosis".
+/// What the size of a share is based on: "scatter", "stated", "default", "known" or "diagnosis".
 std::string textOf(UncertaintyShare::From from);
 /// "A" or "B".
 std::string textOf(UncertaintyShare::Type type);
-/// 1σ of an effect's numbers, only once if all are equal: "30", "10, 12"; empty for other origins.
+/// 1σ of each number of an effect, equal neighbours once: "30", "10, 12"; empty if the share is no effect's.
 std::string numbersText(const UncertaintyShare& share);
-/// The same with their unit: "30 arcsec", "10, 12 arcsec".
+/// `numbersText` with the unit of the catalogue: "30 arcsec", "10, 12 arcsec".
 std::string sizesText(const UncertaintyShare& share);
-/// The same for people: "30″", "10, 12″".
+/// `numbersText` with the sign of the unit: "30″", "10, 12″".
 std::string sizesWithSign(const UncertaintyShare& share);
 
 }  // namespace alidade

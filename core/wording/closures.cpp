@@ -20,7 +20,7 @@ std::string nameInWords(const Closure::Repeated& repeated) {
          positionName(repeated.axisDeg) + ")";
 }
 
-/// The name of a misclosure of zeros, which is a length at the distance of the arc.
+/// The name of a misclosure of pointing zeros: "α0(180°) − first α0".
 std::string nameOfZeros(const Closure& closure) {
   const Closure::Repeated later = closure.repeated.value_or(Closure::Repeated{180, 1, {}});
   const std::string position = positionName(later.axisDeg, later.time);

@@ -35,7 +35,7 @@ std::string verdictText(Verdict verdict) {
   return Phrase::of("undecided");
 }
 
-/// The rows whose exclusion gives this verdict.
+/// "undecided without 180° point 14 or …": the rows without which the verdict is `without`; may be empty.
 std::string rowsText(const std::vector<Dependence>& dependences, Verdict without) {
   constexpr std::size_t mostNamed = 4;
   std::vector<std::string> rows;
@@ -48,8 +48,8 @@ std::string rowsText(const std::vector<Dependence>& dependences, Verdict without
   return Phrase::of("%1 without %2", verdictText(without), listed(rows, Phrase::of(" or ")));
 }
 
-/// "misread values at 0°, point 5, vertical", "trunnion tilt other than known"; without a place if the cause
-/// has several readings.
+/// "misread values at 0°, point 5, vertical", "trunnion tilt other than known". The place is added only if
+/// the cause has exactly one reading.
 std::string causeWithPlace(const Cause& cause) {
   std::string name = causeName(cause.effect);
   //: a known size of an effect that the readings contradict: "trunnion tilt other than known"

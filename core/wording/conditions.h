@@ -27,15 +27,15 @@ std::string conditionSentence(const Diagnosis* diagnosis, const AcceptanceDecisi
 
 /// "The verdict depends on a single row: undecided without 180° point 14."; empty without dependences.
 std::string dependenceSentence(const std::vector<Dependence>& dependences);
-/// The same without the full stop.
+/// `dependenceSentence` without the full stop.
 std::string dependenceText(const std::vector<Dependence>& dependences);
 
-/// The first three names; the others are counted in one more: "2 others".
+/// Keeps the first three names and replaces the others by their number: "2 others".
 std::vector<std::string> namedOrCounted(std::vector<std::string> names);
 
 /// The causes with their probabilities, the most probable first: "plane offset (72 %) and axial shift (17
-/// %)". Names at most three and counts the others. Larger noise is left out, since U includes it; an unknown
-/// cause is named beside known ones. Empty without causes.
+/// %)". Names at most three and counts the others. Omits larger noise, since U includes it. Adds "an unknown
+/// cause" if the catalogue does not explain the gap. Empty without causes.
 std::string causesWithProbability(const Diagnosis& diagnosis);
 
 /// "the radii differ by 13 σ, Δx differs by 7.0 σ": the closures that fail without the causes; may be empty.

@@ -9,7 +9,7 @@ namespace alidade {
 
 namespace {
 
-/// Returns a name for `file` that differs from that of `other`.
+/// Returns the name of `file`, or its whole path if `other` has the same name.
 std::string distinctName(const std::string& file, const std::string& other) {
   const std::filesystem::path name = std::filesystem::path(file).filename();
   return wellFormed(name == std::filesystem::path(other).filename() ? file : name.string());

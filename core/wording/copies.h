@@ -4,8 +4,8 @@
 
 namespace alidade {
 
-// Sentences on a file with the same readings as another one. Both are paths; the sentences use the file
-// names, or the whole paths if the names are equal.
+// Sentences on a file `copy` with the same readings as the file `first`. Both parameters are paths. The
+// sentences use the file names, or the whole paths if the names are equal.
 
 /// "holds the same readings as a.alidade: counted once"; the subject is `copy`.
 std::string copyReason(const std::string& copy, const std::string& first);

@@ -16,12 +16,13 @@ namespace alidade {
 
 namespace {
 
-/// Larger noise explains the residuals but does not reduce them.
+/// Whether the first cause reduces the residuals. Larger noise explains them but does not reduce them.
 bool shrinks(const Diagnosis& diagnosis) {
   return diagnosis.causes.front().effect != noiseId;
 }
 
-/// If the σ of the circles differ much, χ² may decrease while the residuals in arcseconds do not.
+/// The change of the residuals, unweighted, in arcseconds. If they do not shrink, also that of reduced χ²,
+/// which may decrease alone if the σ of the two circles differ much.
 std::string change(const GapSize& before, const GapSize& after) {
   const auto differ = [&](int decimals) {
     return displayText(before.rms, decimals) != displayText(after.rms, decimals);
@@ -43,7 +44,7 @@ std::string change(const GapSize& before, const GapSize& after) {
                           more, same);
 }
 
-/// Whether closures that failed are satisfied with the causes.
+/// Whether a closure failed before, and every closure is satisfied with the causes.
 bool closes(const Diagnosis& diagnosis) {
   const auto failed = [](const ClosureStep& step) { return fails(step.before); };
   return std::ranges::any_of(diagnosis.closures, failed) && !isMisclosed(diagnosis);

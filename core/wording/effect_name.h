@@ -9,12 +9,12 @@ namespace alidade {
 /// unknown one is its identifier without prefix and underscores, as visible text.
 std::string effectName(const std::string& id);
 
-/// The name of anything a diagnosis may name, within a sentence: an effect, "a jump of the orientation",
+/// The name within a sentence of anything that a diagnosis may find: an effect, "a jump of the orientation",
 /// "misread values", "noise larger than stated".
 std::string causeName(const std::string& id);
-/// The same with a capital letter and without its article.
+/// `causeName` with a capital first letter and without its article.
 std::string causeTitle(const std::string& id);
-/// The names of several; `last` separates the last two, blanks included: " or ".
+/// `causeName` of each id, separated by commas; `last` separates the last two, with its blanks: " or ".
 std::string causeNames(const std::vector<std::string>& ids, const std::string& last);
 
 /// "Gravity sag": a capital first letter, if it is an ASCII letter.

@@ -56,7 +56,7 @@ std::string numberText(const Form& form, std::size_t index) {
                           : displayText(form.numbers[index], 3);
 }
 
-/// The factors of the amplitudes: one text, or cosine and sine.
+/// The functions that the amplitudes multiply: cosine and sine of a harmonic, otherwise a single one.
 std::vector<std::string> functionTexts(const Form& form) {
   const std::string x = symbolOf(form.of);
   switch (form.function) {

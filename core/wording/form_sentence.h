@@ -16,24 +16,24 @@ std::string sizeText(double value, double sigma, const Form& form);
 /// "radius + 0.19 mm · cos 7s − 0.19 mm · sin 7s, turning with the guideway".
 std::string textOf(const FoundForm& found);
 
-/// "radius, cos 7s": its carrier and function without the amplitude.
+/// "radius, cos 7s": the carrier and the first function of a form, without the amplitude.
 std::string kindText(const Form& form);
 
 /// "The form: … (probability 97 %)."
 std::string formSentence(const FoundForm& found);
 
-/// "vertical drift, radius, cos 2s, and 3 more": its look-alikes, effects of the catalogue first.
+/// "vertical drift, radius, cos 2s, and 3 more": the look-alikes of the form, effects of the catalogue first.
 std::string lookAlikesText(const FoundForm& found);
 
 /// "These readings cannot distinguish the form from: …."; empty without look-alikes.
 std::string lookAlikesSentence(const FoundForm& found);
 
-/// The range in which the model is valid without the form. Empty for a harmonic, which acts everywhere, and
-/// for two levels.
+/// The range in which the model is valid without the form. Empty for harmonics and hysteresis, which act on
+/// every reading.
 std::string cleanRangeSentence(const FoundForm& found);
 
-/// "On 68 readings, each predicted by the form that the others tell, the gap shrinks by 91 %; in all
-/// readings, …"; empty if too few readings were held out.
+/// How much the form reduces the gap of held-out readings and of all readings, with p of the F test. Empty
+/// if too few readings were held out.
 std::string shrinkSentence(const FoundForm& found);
 
 }  // namespace alidade

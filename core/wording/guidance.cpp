@@ -37,7 +37,7 @@ std::string circleName(const Repeat& repeat) {
   return inWords(repeat.kind.value_or(ReadingKind::Horizontal));
 }
 
-/// Takes U of Δd, measured, or U of Δd, fit only, from each pair.
+/// Selects from each pair U of Δd, measured, or U of Δd, fit only.
 struct Account {
   bool isMeasured = false;
 
@@ -46,7 +46,7 @@ struct Account {
   }
 };
 
-/// Measured if U of Δd, measured, is known; else fit only.
+/// Selects U of Δd, measured, if the outlook has it; otherwise U of Δd, fit only.
 Account rulingAccount(const Outlook& outlook) {
   const ExpandedPair* any = outlook.now             ? &*outlook.now
                             : outlook.ahead.empty() ? nullptr
@@ -100,7 +100,7 @@ std::string limitSentence(const Outlook& outlook, Account account, const Lengths
                     text(account.of(*outlook.limit)));
 }
 
-/// The sentence if none of the numbers of rounds suffices.
+/// States that even the largest number of rounds in the outlook leaves U too large.
 std::string notEnough(const Outlook& outlook, Account account, const Lengths& text) {
   const RoundsAhead& most = outlook.ahead.back();
   const std::string needed = text(account.of(*outlook.needed));

@@ -17,13 +17,13 @@ std::string sightingName(const PlannedSighting& planned);
 /// "0°: point 5, round 2, face 2".
 std::string sightingNameInSession(const PlannedSighting& planned);
 
-/// "to come", "next", "passed over", "taken", "excluded".
+/// "to come", "next", "skipped", "taken" or "excluded".
 std::string stateName(SightingState state);
 
-/// "23 of 72 sightings are there.", and sightings out of order.
+/// "23 of 72 sightings are taken.", then the numbers of skipped, excluded, out-of-order and unplanned ones.
 std::string progressSentences(const ProtocolProgress& progress);
 
-/// "2 readings are none of the protocol."; empty without any.
+/// "2 readings are not in the protocol."; empty if there are none.
 std::string unplannedSentence(const ProtocolProgress& progress);
 
 /// Which sightings to repeat, and why.
@@ -32,7 +32,8 @@ std::string repeatSentence(const Repeat& repeat, const ProtocolProgress& progres
 /// States that misread sightings increase U until they are repeated; empty if none looks misread.
 std::string repeatsFirst(const std::vector<Repeat>& repeats);
 
-/// "Two more rounds bring U from 0.06 to 0.04 mm; the verdict needs 0.05 mm.", or what applies instead.
+/// How U decreases with the rest of the protocol and with further rounds. States the U that a verdict needs,
+/// if there is a tolerance, and whether the rounds suffice.
 std::string outlookSentences(const Outlook& outlook, const ProtocolProgress& progress);
 
 }  // namespace alidade

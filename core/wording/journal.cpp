@@ -30,7 +30,7 @@ constexpr std::array reasons{
     std::pair{journal_reasons::sealed, PHRASE_LATER("Phrase", "sealed")},
     std::pair{journal_reasons::explained, PHRASE_LATER("Phrase", "reason stated")}};
 
-/// The note of the excluded row that an entry is about; null if it has none.
+/// The note of the excluded row that an entry is about; null if there is no such row or it has no note.
 const std::string* noteOf(const JournalEntry& entry, const Session& session) {
   for (std::size_t position = 0; position < session.positions.size(); ++position) {
     if (!entry.place.starts_with(Place{.position = position}.path() + ".readings[")) continue;
@@ -55,7 +55,7 @@ std::string statedOf(const JournalEntry& entry, const Session& session) {
                               : explanationOf(journal, static_cast<std::size_t>(own - journal.begin()));
 }
 
-/// Of `trunnion_tilt: 12 ± 2 arcsec` or `vertical_axis_tilt tilt about x: 12 ± 2 arcsec`.
+/// Replaces the identifiers in `trunnion_tilt: 12 ± 2 arcsec` or `plane_tilt tilt about x: …` by names.
 std::string knownSizeText(const std::string& text) {
   const std::size_t colon = text.find(':'), blank = std::min(text.find(' '), colon);
   if (colon == std::string::npos || !effectById(text.substr(0, blank))) return text;
@@ -64,7 +64,7 @@ std::string knownSizeText(const std::string& text) {
   return listed(names) + text.substr(colon);
 }
 
-/// Of identifiers separated by ", ".
+/// Replaces effect identifiers separated by ", " by names.
 std::string effectsText(const std::string& text) {
   constexpr std::string_view separator = ", ";
   std::vector<std::string> names;
@@ -102,7 +102,7 @@ std::string sealSentence(const CheckedSeal& checked, std::size_t since) {
   return Phrase::of("%1; %2 changes since: the current revision is not sealed.", text, since);
 }
 
-/// The last seal, and earlier ones that are broken.
+/// Sentences on the last seal, and on earlier seals whose content was changed.
 std::vector<std::string> sealSentences(const std::vector<CheckedSeal>& seals,
                                        const std::vector<JournalEntry>& journal) {
   std::vector<std::string> sentences;

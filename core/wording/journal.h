@@ -11,17 +11,17 @@ namespace alidade {
 /// "2026-03-14 15:09", in UTC; unchanged if the text is not a time.
 std::string timeText(const std::string& at);
 
-/// "suggestion accepted"; unchanged if the reason is unknown to this program. An exclusion has the note of
-/// its row in the session: "excluded: tripod touched". Another entry of the session's journal has the reason
-/// that was stated afterwards: "retyped: digits exchanged".
+/// "suggestion accepted"; unchanged if the reason is unknown to this program. For an exclusion, the note of
+/// the row in the session is added: "excluded: tripod touched". For any other entry of the session's journal,
+/// a reason stated later is added: "retyped: digits exchanged".
 std::string reasonText(const JournalEntry& entry, const Session& session);
 
 /// `text`, the entry's `from` or `to`, with the names of effects in place of their identifiers:
-/// "trunnion tilt: 12 ± 2 arcsec", "collimation, trunnion tilt". Texts of other entries are unchanged.
+/// "trunnion tilt: 12 ± 2 arcsec", "collimation, trunnion tilt". Texts not about effects are unchanged.
 std::string contentText(const JournalEntry& entry, const std::string& text);
 
-/// "Sealed 2026-03-14 15:09 UTC by R. Roe", or that it was changed since, without a check of the content;
-/// empty if the session was never sealed.
+/// Who sealed the session last, when, and how many changes are recorded since; does not check the content.
+/// Empty if the session was never sealed.
 std::string sealState(const std::vector<JournalEntry>& journal);
 
 /// The contradiction between the journal or a seal and the file, as a sentence.

@@ -50,7 +50,7 @@ std::string staleText(const KnownCheck& check, const std::string& probability) {
 /// Whether the tilt from the readings has the opposite sign of the known one. Each number is tested
 /// separately, because the compensator has two axes.
 bool isOtherWayRound(const Diagnosis& diagnosis, const std::string& effect) {
-  constexpr double apart = 4, alike = 2;  // σ
+  constexpr double apart = 4, alike = 2;  // in σ
   return effect == "vertical_axis_tilt" && std::ranges::any_of(diagnosis.known, [&](const KnownCheck& check) {
            const double sigma = std::hypot(check.sigma, check.sigmaKnown);
            return check.effect == effect && check.isSeen &&
@@ -63,7 +63,8 @@ bool isKnown(const Diagnosis& diagnosis, const std::string& effect) {
   return std::ranges::find(diagnosis.known, effect, &KnownCheck::effect) != diagnosis.known.end();
 }
 
-/// Returns the number of an effect that deviates most from its known value.
+/// Returns the number of an effect that deviates most, in σ, from its known value. Null if the readings
+/// determine none of its numbers.
 const KnownCheck* farthest(const Diagnosis& diagnosis, const std::string& effect) {
   const auto sigmas = [](const KnownCheck& check) {
     return std::abs(check.value - check.known) / std::hypot(check.sigma, check.sigmaKnown);

@@ -65,7 +65,7 @@ bool turnsCircle(const SightingProtocol& protocol) {
                              [](const ProtocolPosition& position) { return !position.circleTurn.empty(); });
 }
 
-/// "Passed over: 0°: point 5; 0°: point 6 and 3 more."; empty without any.
+/// Names the sightings that satisfy `isIt`: "Skipped: 0°: point 5; 0°: point 6 and 3 more."; may be empty.
 template <typename IsIt>
 std::string sightingsText(const ProtocolProgress& progress, const char* sentence, const IsIt& isIt) {
   constexpr std::size_t mostNamed = 6;

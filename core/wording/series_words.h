@@ -15,11 +15,12 @@ namespace alidade {
 std::string ownerText(const SharedCause& cause);
 /// The result of the sessions together.
 std::string sentenceOf(const SeriesDiagnosis& series);
-/// "Measure guideway G-1 with instrument T-2: tells A and B apart by 4.3 σ (sessions needed: 2)."
+/// "Measure guideway G-1 with instrument T-2: separates A and B by 4.3 σ (sessions needed: 2)."
 std::string sentenceOf(const SeriesAdvice& advice);
-/// The form with u and the sessions that show it.
+/// States the form with the u of its amplitude, and names the sessions that show the form.
 std::string sentenceOf(const OfferedEffect& offered, const SeriesDiagnosis& series);
-/// Sessions without known owners, and sessions that do not share a cause of the others.
+/// Findings on copies, on sessions that do not state the serial of instrument or guideway, and on sessions in
+/// which a shared cause has another size.
 std::vector<Finding> findingsOf(const SeriesDiagnosis& series);
 
 }  // namespace alidade

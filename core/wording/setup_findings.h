@@ -17,7 +17,7 @@ Words wordsOf(const setup_finding::ReadingsRounded& finding);
 Words wordsOf(const setup_finding::ZeroMoved& finding);
 Words wordsOf(const setup_finding::ZeroFaceLeftOut& finding);
 
-/// The two lengths as typed, mm, with the places of their entry; follows "check".
+/// "the distance L (2400) and the nominal radius R0 (1000), both in mm": the object of "Check".
 std::string lengthsToCheck(double distance, double nominalRadius);
 
 }  // namespace alidade

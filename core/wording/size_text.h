@@ -4,7 +4,7 @@
 
 namespace alidade {
 
-// The size of an effect, in a unit of the catalogue ("arcsec", "mm", "1"). Two digits of the uncertainty.
+// The size of an effect in a unit of the catalogue ("arcsec", "mm", "1"), to two digits of the uncertainty.
 
 /// "61.2 ± 8.1″", "−0.298 ± 0.018 mm": ± is expanded.
 std::string sizeWithExpanded(double value, double expanded, const std::string& unit);

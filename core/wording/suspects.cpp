@@ -17,7 +17,7 @@ namespace {
 
 constexpr std::size_t longestTyped = 40;
 
-/// With its sign: in arcseconds up to two minutes, otherwise in degrees, minutes and seconds.
+/// An angle with its sign: below two minutes in arcseconds, otherwise in degrees, minutes and seconds.
 std::string signedSize(Angle size) {
   const double seconds = size.arcseconds();
   const std::string sign = seconds < 0 ? "" : "+";

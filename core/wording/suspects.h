@@ -14,14 +14,14 @@ namespace alidade {
 /// "two digits swapped", "one degree off", …
 std::string slipName(EntrySlip slip);
 
-/// Horizontal 341°52'24" → 341°25'24": two digits swapped; the residual becomes +1.2″.
+/// Returns: Horizontal 341°52'24" → 341°25'24": two digits swapped; residual then +1.2″.
 std::string sentenceOf(const Proposal& proposal);
 
 /// "0°, point 5, vertical"; with round and face unless they are 1.
 std::string nameOf(const Suspect& suspect);
 /// "off by +59.8″", "the other face", "not an angle".
 std::string faultOf(const Suspect& suspect);
-/// The most probable intention, or that the reading has to be read again.
+/// What was most probably meant, or the request to read again.
 std::string intentionOf(const Suspect& suspect);
 
 /// Names the reading, its deviation, and the probable intention.

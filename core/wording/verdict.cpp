@@ -102,7 +102,7 @@ std::string bothAccounts(const Measurement& measurement, const Intersection& mod
                     conformityText(decision.asModelled, Phrase::of("it")), wayOut(diagnosis));
 }
 
-/// The distance from the axis as a whole, if both its parts are known.
+/// States the distance from the axis and both its parts; `measured` has them.
 std::string distanceText(const Measurement& measurement, const MeasuredIntersection& measured,
                          const AcceptanceDecision& decision) {
   const double tolerance = *measurement.tolerance;
@@ -145,7 +145,7 @@ std::string unexplainedText(const Diagnosis& diagnosis) {
 /// enough to mention.
 std::string doubtText(const Diagnosis* diagnosis) {
   constexpr double probable = 0.5;
-  constexpr double noticeable = 0.2;  // of the standard uncertainty, which it increases by 2 %
+  constexpr double noticeable = 0.2;  // share of the standard uncertainty; 0.2 increases u by 2 %
   if (!diagnosis || !diagnosis->measured) return "";
   const auto& [chance, sigma] = diagnosis->unexplained;
   const std::string doubt = chance < probable ? "" : unexplainedText(*diagnosis);
@@ -156,7 +156,7 @@ std::string doubtText(const Diagnosis* diagnosis) {
   return inTurn(doubt, spread);
 }
 
-/// No probability is shown as 0 or 1.
+/// A probability in percent; `more` if close to 1 and `less` if close to 0, so that neither limit is shown.
 std::string boundedText(double probability, const std::string& more, const std::string& less, int decimals) {
   constexpr double nearlyCertain = 0.9995;
   if (probability >= nearlyCertain) return more;

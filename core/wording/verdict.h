@@ -9,9 +9,9 @@ namespace alidade {
 
 // The verdict of an acceptance, for a customer. Lengths in mm.
 
-/// States the basis of the verdict, or why it is withheld, and the probability that |Δd| is within the
-/// tolerance. It gives Δd both fit only and measured if necessary. `fit`, `diagnosis` (may be null) and
-/// `decision` belong to `measurement`.
+/// States the basis of the verdict, or why the verdict is withheld, and the probability of conformity. The
+/// basis is Δd, both fit only and measured if `decision.showsBoth`, or the distance from the axis. `fit`,
+/// `diagnosis` (may be null) and `decision` belong to `measurement`.
 std::string verdictSentence(const Measurement& measurement, const SessionFit& fit, const Diagnosis* diagnosis,
                             const AcceptanceDecision& decision);
 

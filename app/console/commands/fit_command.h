@@ -27,7 +27,7 @@ struct FitRequest {
   std::vector<std::string> effects;  ///< files and folders of effects of the user's own
   std::string csv;                   ///< "residuals", "budget" or "results": a table instead; empty: none
   bool diagnosis = true;             ///< whether to diagnose the gap; the verdict then uses the diagnosis
-  bool verdictExit = false;          ///< whether the exit code tells the verdict
+  bool verdictExit = false;          ///< whether the exit code states the verdict
   BatchOptions batch = {};
 };
 

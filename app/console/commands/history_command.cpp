@@ -40,7 +40,7 @@ bool isRecord(const std::string& path) {
   return std::filesystem::path(path).extension() == ".alidade-instrument";
 }
 
-/// The instrument records of a folder that holds no session, by name.
+/// The instrument records of a folder, sorted by path; none if the folder holds a session.
 std::vector<std::string> recordsIn(const std::string& folder) {
   std::vector<std::string> records;
   std::error_code problem;

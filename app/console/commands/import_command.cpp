@@ -74,7 +74,8 @@ std::vector<Position>::iterator firstAt(int axis, Session& session) {
   });
 }
 
-/// Checks for the range of elevations, the wider one: a column name may still state the kind of circle.
+/// Sets the pointing zero of the first position at `axis`. Checks the wider range, that of elevations, since
+/// a column name may still state the kind of circle.
 std::optional<Problem> setZero(const char* option, const std::vector<std::string>& given, AngleUnit unit,
                                int axis, Session& session) {
   if (given.empty()) return std::nullopt;
@@ -124,7 +125,7 @@ Result<std::string> entryFor(const char* option, const std::vector<std::string>&
   return entries[file] == "-" ? std::string() : entries[file];
 }
 
-/// The table layout from the options; absent if the table itself decides.
+/// The table layout from the options; absent if no option of the layout is given.
 std::optional<TableLayout> layoutOf(const ImportRequest& request, std::string_view bytes) {
   if (request.columns.empty() && !request.headRows && request.decimalSign.empty()) return std::nullopt;
   TableLayout layout;

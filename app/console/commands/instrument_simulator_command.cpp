@@ -22,7 +22,7 @@ namespace alidade::console {
 
 namespace {
 
-constexpr int turnMs = 20;  // between two polls of the port
+constexpr int turnMs = 20;  // milliseconds between two polls of the port
 constexpr double longestPauseS = 3600, largestNoiseArcsec = 3600;
 constexpr int mostSightings = 1'000'000;
 
@@ -93,7 +93,7 @@ class RecordKey {
     if (::read(STDIN_FILENO, &c, 1) <= 0) m_isOpen = false;
     return m_isOpen && c == '\n';
   }
-  /// True if standard input is read.
+  /// True if Enter on standard input presses the key.
   bool isTyped() const { return m_every == 0 && m_isOpen; }
 
  private:

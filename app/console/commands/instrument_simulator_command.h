@@ -31,7 +31,7 @@ struct SimulatorRequest {
 
 void addSimulatorCommand(CLI::App& app, SimulatorRequest& request);
 
-/// Prints the path of the port, then communicates until it is stopped.
+/// Prints the path of the port, then serves the port until stopped, or with `endsWhenDone` until all is sent.
 Result<std::string> runSimulator(const SimulatorRequest& request);
 
 }  // namespace alidade::console

@@ -21,7 +21,7 @@ void addJournalCommand(CLI::App& app, JournalRequest& request);
 
 struct JournalAnswer {
   std::string result;  ///< as text or JSON
-  bool holds = true;   ///< whether the file itself shows no change made outside the program
+  bool holds = true;   ///< true if the file shows no change made outside the program
 };
 
 /// Fails if the file is not a session; unusable entries are allowed.

@@ -13,7 +13,7 @@ using OptionCheck = std::function<std::string(const std::string&)>;
 /// A finite number from `least` to `most`.
 OptionCheck numberFrom(double least, double most);
 
-/// A whole number of digits alone, from `least` to `most`.
+/// A whole number from `least` to `most`: digits, with or without a plus sign.
 OptionCheck wholeFrom(std::uint64_t least, std::uint64_t most);
 
 /// Text valid in a session file: UTF-8.

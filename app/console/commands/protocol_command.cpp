@@ -47,7 +47,7 @@ Result<SightingProtocol> ofRows(const Session& session, const std::string& optio
                  "; name a template, such as full"};
 }
 
-/// The session's rows, with the first advice of `alidade-cli plan`.
+/// The protocol of the session's rows, extended by the first advice of `plan` that a protocol can express.
 Result<SightingProtocol> advisedFor(const Session& session) {
   Result<SightingProtocol> own = ofRows(session, "--template plan");
   if (!own) return own;

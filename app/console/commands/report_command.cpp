@@ -25,12 +25,12 @@ std::string reportPath(const ReportRequest& request, const std::string& file) {
   return (folder / session.stem()).string() + ".pdf";
 }
 
-/// A path that no program takes for an option.
+/// The path, preceded by "./" if it looks like an option.
 std::string asArgument(const std::string& path) {
   return path.starts_with('-') ? "./" + path : path;
 }
 
-/// What `alidade` wrote to stderr about the file or the call, as the end of "FILE: …".
+/// The message that `alidade` wrote to stderr, without the name of the file or the program before it.
 std::string saidOf(std::string errors, const std::string& file) {
   while (errors.ends_with('\n')) errors.pop_back();
   for (const std::string& begin : {visibleText(file) + ": ", std::string("alidade: ")})

@@ -14,7 +14,7 @@ namespace alidade::console {
 
 namespace {
 
-/// Reads the file into `into`, if a path is given. Returns false if the file is refused.
+/// Reads the file into `into` if a path is given. Returns false if the file cannot be read.
 bool take(const std::string& path, std::string& into) {
   if (path.empty()) return true;
   Result<std::string> text = readFile(path);

@@ -28,7 +28,7 @@ struct TrialRequest {
   std::size_t clean = 0;    ///< number of additional sessions without an effect; needs `adaptive`
   unsigned threads = 0;
   bool json = false;
-  bool csv = false;  ///< whether to print the curves of both ways; needs `adaptive`
+  bool csv = false;  ///< whether to print the curves of both orders; needs `adaptive`
 };
 
 /// Adds `trial [--count N | --series N] [--seed N] [--protocol NAME] [--score DIR] [--effects FILE]…

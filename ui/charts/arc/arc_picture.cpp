@@ -82,7 +82,7 @@ double pickExaggeration(const ArcPicture& picture) {
   return std::clamp(roundDown125(largestShareOfRadius * radius / largest), 1.0, largestExaggeration);
 }
 
-/// A session with only the excluded rows, here included. `rows`: their row numbers in `session`, by position.
+/// A session with only the excluded rows of `session`, here not excluded. `rows`: their numbers by position.
 Session excludedAlone(const Session& session, std::vector<std::vector<std::size_t>>& rows) {
   Session alone;
   alone.instrument = session.instrument;
@@ -104,7 +104,7 @@ Session excludedAlone(const Session& session, std::vector<std::vector<std::size_
   return alone;
 }
 
-/// The rows excluded by the user, reduced as if included.
+/// The rows excluded by the user, with their points in the arc plane.
 std::vector<DrawnSighting> excludedSightings(const Session& session) {
   std::vector<std::vector<std::size_t>> rows;
   const Examined examined = examine(excludedAlone(session, rows));
@@ -164,7 +164,7 @@ DrawnEllipse ellipseOf(double varianceX, double varianceY, double covariance, do
 }
 
 double ellipseFactor(double coverage, double degreesOfFreedom) {
-  // For two dimensions Fisher's upper tail is (1 + k²/f)^(−f/2).
+  // A point in a plane is outside the ellipse of k σ with probability (1 + k²/f)^(−f/2), by Fisher's F.
   if (std::isinf(degreesOfFreedom)) return std::sqrt(-2 * std::log1p(-coverage));
   return std::sqrt(degreesOfFreedom * std::expm1(-2 / degreesOfFreedom * std::log1p(-coverage)));
 }

@@ -20,7 +20,7 @@ struct DrawnSighting {
   int point = 0, round = 1, face = 1;
   PlanePoint<double> sighted;                  ///< intersection of the line of sight with the arc plane
   std::optional<PlanePoint<double>> adjusted;  ///< the adjusted target on the arc; absent without a fit
-  /// The residual in the arc plane: sighted minus adjusted, less the estimated effects.
+  /// The residual, from the point of the adjusted angles, estimated effects included, to the point sighted.
   PlanePoint<double> residual{};
 };
 
@@ -37,18 +37,18 @@ struct DrawnEllipse {
   double major = 0, minor = 0;  ///< semi-axes, ≥ 0; infinite if no ellipse is wide enough
   double direction = 0;         ///< direction of the major axis, from x towards y, radians
 
-  /// Half the width and height of its bounding box.
+  /// Half the width and half the height of the bounding box.
   PlanePoint<double> reach() const;
 };
 
-/// `varianceX`, `varianceY`, `covariance` of a point, mm²; `scale`: semi-axis in σ.
+/// The ellipse of a point with these variances and this covariance, mm²; a semi-axis is `scale` σ long.
 DrawnEllipse ellipseOf(double varianceX, double varianceY, double covariance, double scale);
 
 /// The semi-axis in σ of an ellipse that contains a point with probability `coverage`: the root of twice
 /// Fisher's quantile, √5.99 at 95 % with known variance. `degreesOfFreedom`: effective, may be infinite.
 double ellipseFactor(double coverage, double degreesOfFreedom);
 
-/// Half the distance of the centres across the axis, with its expanded uncertainty; mm.
+/// Δd, half the difference of the centres in y, with its expanded uncertainty; mm.
 struct DrawnIntersection {
   PlanePoint<double> upperCentre, lowerCentre;  ///< O1 (axis at 0°), O2 (axis at 180°)
   double value = 0, expanded = 0, coverage = 0.95;
@@ -70,7 +70,7 @@ struct ArcPicture {
       1;  ///< factor of the residuals: 1, 2, 5, 10, …; the largest is at most 16 % of the radius
 
   bool isEmpty() const { return arcs.empty() && sightings.empty() && excluded.empty(); }
-  /// The end of a sighting's exaggerated residual.
+  /// The end of a sighting's exaggerated residual, mm in o0.
   PlanePoint<double> residualEnd(const DrawnSighting& sighting) const;
   /// Everything that must be visible, mm in o0; far outliers are excluded.
   QRectF extent() const;
@@ -78,7 +78,7 @@ struct ArcPicture {
 
 ArcPicture arcPicture(const Evaluation& evaluation);
 
-/// The picture drawn along with the evaluation, or else a new one.
+/// The picture computed along with the evaluation, or else a new one.
 std::shared_ptr<const ArcPicture> arcPictureOf(const Evaluation& evaluation);
 
 }  // namespace alidade::ui

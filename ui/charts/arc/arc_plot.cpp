@@ -214,8 +214,8 @@ double ArcPlot::cornerOfSideView() const {
   return side;
 }
 
-/// Places the side view below the inset, which gives up part of its square. False: nothing is changed, since
-/// there is too little room or the inset would lose its headline.
+/// Places the side view below the inset, which gives up part of its square. Returns false and changes nothing
+/// if there is too little room, or the inset would lose its headline.
 bool ArcPlot::placeSideViewBelowInset() {
   constexpr double leastInset = 12, shareOfInset = 0.52;  // `leastInset` in lines of text
   const QRectF inset = m_inset->boundingRect();

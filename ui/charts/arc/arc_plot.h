@@ -59,7 +59,7 @@ class ArcPlot : public Plot {
   std::shared_ptr<const ArcPicture> m_picture = std::make_shared<const ArcPicture>();
   QRectF m_extent;  // extent of the picture
   RowChoice m_choice;
-  RowChoice m_drawn;  // the part available in the picture
+  RowChoice m_drawn;  // the part of the choice available in the picture
   RowSlots m_slots;
   double m_unit = 0;  // unit of the style, which sets the shift of marks
   std::array<std::array<QLineSeries*, mostPieces>, 2> m_arcs;  // axis at 0°, at 180°; owned by the chart

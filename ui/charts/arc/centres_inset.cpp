@@ -26,7 +26,7 @@ PlanePoint<double> middle(const DrawnIntersection& i) {
 
 const QString upperName = QStringLiteral("O1"), lowerName = QStringLiteral("O2");
 
-/// Limits how far the picture extends to show the ellipses of the centres, in units of half the distance of
+/// The largest half width or height that is shown for the ellipses and U, in units of half the distance of
 /// the centres.
 constexpr double largestShare = 4;
 
@@ -136,7 +136,7 @@ void CentresInset::paintBare(QPainter* painter) const {
                     QStringLiteral("O1, O2"));
 }
 
-/// Fills the picture below the titles if the tolerance limits are outside it.
+/// Paints the tolerance band. If its limits are outside the picture, it fills everything below the titles.
 void CentresInset::paintTolerance(QPainter* painter) const {
   const double tolerance = m_intersection->tolerance.value_or(0) * m_scale;
   if (tolerance <= 0) return;
@@ -173,7 +173,7 @@ void CentresInset::paintAxis(QPainter* painter) const {
   painter->drawText(name.topLeft() + QPointF(0, QFontMetricsF(m_style.font).ascent()), InsetText::tr("axis"));
 }
 
-/// The name is placed where the names of the centres leave room.
+/// The name of the axis is left out where it would overlap the name of a centre.
 QRectF CentresInset::axisNameRect() const {
   if (m_isCompact || m_scale <= 0) return {};
   const QFontMetricsF metrics(m_style.font);
@@ -255,7 +255,7 @@ QRectF CentresInset::lowerNameRect() const {
   return nameRect(m_intersection->lowerCentre, m_intersection->lowerEllipse, lowerName);
 }
 
-/// A name is outside its centre, since Δx extends inwards, and clear of an ellipse of moderate size.
+/// A name is on the outer side of its centre, since Δx is on the inner side, and beside a moderate ellipse.
 QRectF CentresInset::nameRect(const PlanePoint<double>& centre, const DrawnEllipse& ellipse,
                               const QString& name) const {
   const QFontMetricsF metrics(m_style.font);
@@ -318,7 +318,7 @@ double CentresInset::titleRoom() const {
   return m_square.width() - 0.8 * QFontMetricsF(m_style.font).height();
 }
 
-/// A line of at most `most` pixels in the largest type that fits, else shortened; all are equally high.
+/// A line in the largest type that fits, at most `most` pixels, or else shortened. All have the same height.
 CentresInset::TitleLine CentresInset::largeLine(const QString& text, int most) const {
   QFont font = m_style.font;
   font.setBold(true);
@@ -333,8 +333,8 @@ CentresInset::TitleLine CentresInset::largeLine(const QString& text, int most) c
           m_headline.isProvisional ? m_style.mutedText : m_style.text, height};
 }
 
-/// The headline has two lines if these fit in large type, otherwise each part on its own line. It has none if
-/// a figure does not fit.
+/// The headline in two lines if these fit in large type, otherwise a line for each of its parts. Empty if a
+/// figure does not fit.
 QList<CentresInset::TitleLine> CentresInset::headlineLines(bool isMarked) const {
   if (m_headline.name.empty()) return {};
   const auto isLarge = [&](const TitleLine& line) {

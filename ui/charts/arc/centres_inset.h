@@ -30,7 +30,7 @@ class CentresInset : public QGraphicsItem {
   /// Converts from mm in o0 to the parent's units.
   QPointF place(const PlanePoint<double>& point) const;
 
-  /// The places of the centres' names while drawn, and of the axis name; empty if they have no room.
+  /// The places of the names of O1 and O2, valid while these are drawn, and of the axis; empty without room.
   QRectF upperNameRect() const;
   QRectF lowerNameRect() const;
   QRectF axisNameRect() const;
@@ -60,7 +60,7 @@ class CentresInset : public QGraphicsItem {
   /// The limits of the picture: text is above and below it.
   QRectF frame() const;
   QRectF nameRect(const PlanePoint<double>& centre, const DrawnEllipse& ellipse, const QString& name) const;
-  void paintBare(QPainter* painter) const;  // too small to enlarge anything: a plus at both centres
+  void paintBare(QPainter* painter) const;  // in a small square: one plus for both centres
   void paintTolerance(QPainter* painter) const;
   void paintAxis(QPainter* painter) const;
   void paintEllipses(QPainter* painter) const;

@@ -40,7 +40,7 @@ void SideView::setSquare(const QRectF& square) {
   updateScale();
 }
 
-/// Name and figure, or the figure alone, or the name alone.
+/// The first of these that fits: name and figure, the figure alone, the name alone; otherwise empty.
 QStringList SideView::titleThatFits() const {
   const QString name = SideViewText::tr("Along the axis");
   const QString figure =
@@ -58,7 +58,7 @@ double SideView::line() const {
   return QFontMetricsF(m_style.font).height();
 }
 
-/// The scale shows both centres with U, and of the tolerance at most three times their extent.
+/// Sets a scale that shows both centres with U, and the tolerance up to three times the extent of these.
 void SideView::updateScale() {
   m_scale = 0;
   m_title.clear();
@@ -156,7 +156,7 @@ void SideView::paintTexts(QPainter& painter) const {
   const double length = roundDown125(m_square.width() * 0.3 / m_scale), end = left + length * m_scale;
   const QString figure = plainNumberText(length) + QStringLiteral(" mm");
   const double behind = end + gap + metrics.horizontalAdvance(figure);
-  const bool hasBar = behind <= right;  // a shortened figure would be another one
+  const bool hasBar = behind <= right;  // a shortened figure would be wrong
   //: an arrow to the side where the theodolite stands
   const QString side = SideViewText::tr("Δz →");
   const double ofSide = right - metrics.horizontalAdvance(side);

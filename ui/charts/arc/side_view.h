@@ -19,7 +19,7 @@ class SideView : public QGraphicsItem {
 
   void setStyle(const PlotStyle& style);
   void setOffset(const std::optional<CentreOffset>& offset);
-  /// The available rectangle, in the parent's units. A picture without room for its title has none.
+  /// The available rectangle, in the parent's units. The title is left out if there is no room for it.
   void setSquare(const QRectF& square);
 
   bool isMeasured() const { return m_offset.has_value(); }
@@ -46,7 +46,7 @@ class SideView : public QGraphicsItem {
 
   PlotStyle m_style;
   std::optional<CentreOffset> m_offset;
-  QStringList m_title;  ///< its parts, the first at the left, the last at the right
+  QStringList m_title;  ///< parts of the title, the first at the left, the last at the right
   QRectF m_square, m_picture;
   double m_scale = 0;
 };

@@ -11,9 +11,9 @@
 
 namespace alidade::ui {
 
-/// A form as a curve over its argument, with its value at every sighting before the form is in the model
-/// (hollow) and after (filled), from held-out sightings if there are any. For an orientation, the horizontal
-/// and the vertical circle differ in colour and shape. Bands show where the model is valid.
+/// A form as a curve over its argument. At each sighting, a hollow mark is the partial residual without the
+/// form, and a filled mark the residual with the form, predicted without this sighting if any were held out.
+/// For an orientation, the two circles differ in colour and shape. Bands show where the model is valid.
 class FormPlot : public Plot {
   Q_OBJECT
 

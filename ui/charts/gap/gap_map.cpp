@@ -62,7 +62,7 @@ QString partName(const GapShare& share) {
   return inWords(share.of);
 }
 
-/// The number sorts "90…120°" after "60…90°"; words keep their order.
+/// The number at the start of a name, which sorts "90…120°" after "60…90°"; 0 for words.
 double numberIn(const QString& name) {
   QString digits;
   for (const QChar character : name) {

@@ -187,7 +187,7 @@ void LeftoverStrips::paintStrip(QPainter& painter, std::size_t strip) const {
   }
 }
 
-/// Round numbers below the strip.
+/// Paints round numbers below the strip.
 void LeftoverStrips::paintScale(QPainter& painter, std::size_t strip) const {
   const PlotStyle style = screenStyle(palette(), font());
   const Axis& axis = m_axes[strip];

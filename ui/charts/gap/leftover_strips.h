@@ -20,7 +20,7 @@ class LeftoverStrips : public BarRows {
 
   void setGap(const Gap& gap);
   std::string numbers() const override;
-  /// The part of a strip where the model holds, in widget units.
+  /// The parts of a strip where the model is valid, in widget units.
   std::vector<QRect> bands(std::size_t strip) const;
 
   struct Label {
@@ -59,7 +59,7 @@ class LeftoverStrips : public BarRows {
 
   std::vector<Point> m_points;
   std::array<Axis, strips> m_axes;
-  double m_reach = 1;  ///< σ at the upper end, in tenths
+  double m_reach = 1;  ///< residual at the upper end, in σ, a multiple of 0.1
 };
 
 }  // namespace alidade::ui

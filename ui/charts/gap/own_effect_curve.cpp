@@ -25,7 +25,7 @@ bool isCounted(const OwnCurve& curve) {
   return curve.variable && curve.variable->kind == Kind::Counted;
 }
 
-/// A line, or dots where no line joins the points.
+/// A line over a continuous variable; otherwise dots.
 QXYSeries* seriesOf(const OwnCurve& curve, const QColor& colour, const PlotStyle& style) {
   const bool isLine = curve.variable && !isCounted(curve);
   QXYSeries* series = isLine ? static_cast<QXYSeries*>(new QLineSeries) : new QScatterSeries;

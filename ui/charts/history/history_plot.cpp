@@ -172,7 +172,7 @@ void HistoryPlot::reckonExtent() {
   };
   for (const DatedValue& value : m_history.values)
     for (const double side : {-1.0, 1.0}) include(value.value + side * value.expanded);
-  // Limits must be visible, except those of a very uncertain value; the tolerance where it is near.
+  // The limits must be visible, except those of a very uncertain value. So must a tolerance that is near.
   const double reach = high - low;
   for (const ControlChart::Point& point : m_history.chart.points)
     for (const double side : {-1.0, 1.0})

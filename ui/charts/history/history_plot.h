@@ -11,7 +11,7 @@ namespace alidade::ui {
 
 /// A control chart over dates: values with bars of ± U, the centre line or the reported levels or trend,
 /// limits of each value and of three times the observed scatter, the exponentially weighted average with its
-/// limits, and the tolerance. Steps have dates; a chosen baseline is marked.
+/// limits, and the tolerance. The dates of steps and a chosen baseline are marked.
 class HistoryPlot : public Plot {
   Q_OBJECT
 

@@ -14,7 +14,7 @@ class Caption : public QLabel {
 
   void setSentence(const QString& sentence);
   QString sentence() const { return m_sentence; }
-  /// Whether it may use a second line; true at first.
+  /// Whether the sentence may use a second line; true at first.
   void setMaySpread(bool may);
 
   QSize minimumSizeHint() const override { return {0, heightOf(1)}; }

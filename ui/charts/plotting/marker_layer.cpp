@@ -91,7 +91,7 @@ const Mark* MarkerLayer::markNear(const QPointF& scene, double reach) const {
   return nearest;
 }
 
-/// Computed once for each new set of marks or frame, however often it is painted.
+/// Computes the places once for each new set of marks or frame, however often these are painted.
 void MarkerLayer::place() {
   if (std::exchange(m_isPlaced, true)) return;
   double size = 7;

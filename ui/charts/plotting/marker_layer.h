@@ -23,10 +23,10 @@ class MarkerLayer : public QGraphicsItem {
   void setPens(std::vector<QPen> pens);
   void setHighlightPen(const QPen& pen);
   void setMarks(std::vector<Mark> marks, std::vector<Stick> sticks = {});
-  /// The plot area in scene units and the transform from axis units into it.
+  /// The plot area in scene units, and the transform from axis units to scene units.
   void setFrame(const QRectF& plotArea, const QTransform& sceneFromAxes);
   void setHighlighted(std::optional<SightingRef> ref);
-  /// Frames one of `marks()`; cleared by new marks.
+  /// Draws a frame around one of `marks()`. New marks remove the frame.
   void setCurrent(std::optional<std::size_t> mark);
 
   const std::vector<Mark>& marks() const { return m_marks; }

@@ -21,7 +21,7 @@ struct PaintedPicture {
 QImage imageOf(const PaintedPicture& picture, int scale);
 /// The image as PNG with title and description. Empty if it cannot be made.
 QByteArray pngOf(const PaintedPicture& picture, int scale);
-/// An SVG document, shapes and texts kept as such.
+/// An SVG document in which shapes remain vectors and texts remain texts.
 QByteArray svgOf(const PaintedPicture& picture);
 
 }  // namespace alidade::ui

@@ -16,7 +16,7 @@
 namespace alidade::ui {
 namespace {
 
-constexpr double linesForTitles = 8;  // lines of text below the legend; with fewer the axes need all the room
+constexpr double linesForTitles = 8;  // least room for legend and titles, in lines of text below the legend
 constexpr double aboveZero = 1e-9;    // shift of the ticks, as a share of their step
 constexpr double leastLabels = 3;     // fewest labels of an axis
 constexpr double markReach = 9;       // reach of a click, in scene units
@@ -28,10 +28,10 @@ QLocale axisLocale() {
   return locale;
 }
 
-/// The next finer of … 0.5, 1, 2, 4, 5, 10 …: in a range about 0, one step has exactly three multiples.
+/// The next finer step of … 0.5, 1, 2, 4, 5, 10 …. One of them has just three multiples in a range about 0.
 double finerStep(double step) {
   const double below = roundDown125(0.9 * step);
-  return below < 0.45 * step ? 2 * below : below;  // 4 after 5
+  return below < 0.45 * step ? 2 * below : below;  // the step after 5 is 4
 }
 
 /// `step`, or the largest finer one with three multiples in the range.
@@ -247,7 +247,7 @@ void Plot::rearrange() {
 }
 
 void Plot::fitRangeToPlotArea() {
-  // The range depends on the plot area, the label widths on the range, and the plot area on these.
+  // The range depends on the plot area, the label widths on the range, and the plot area on the label widths.
   constexpr int passes = 4;
   for (int pass = 0; pass < passes; ++pass) {
     m_chart->layout()->activate();

@@ -53,8 +53,8 @@ class Plot : public QObject {
   void move(const QPointF& by);
   void showWhole();
 
-  /// Moves from point to point. Without a current point, starts at the highlighted row, otherwise at the end
-  /// of the plot that lies behind the step. Null: there are no points.
+  /// Moves to the next point in a direction. Without a current point, starts at the highlighted row, or else
+  /// at the end of the plot from which the step leads away. Null if there are no points.
   enum class Step { Left, Right, Down, Up };
   const Mark* step(Step step);
   const Mark* current() const;
@@ -79,7 +79,7 @@ class Plot : public QObject {
  protected:
   /// Sets colours, pens and markers of the derived plot's own items.
   virtual void applyStyle() = 0;
-  /// The ranges for a plot area of this size in scene units: what must be visible, in axis units.
+  /// The ranges of the axes, in axis units, that must be visible in a plot area of this size in scene units.
   virtual QRectF axisRange(const QSizeF& plotArea) const = 0;
   /// True if a millimetre has the same length in x and y, with equal ticks where both axes have room for
   /// enough labels.

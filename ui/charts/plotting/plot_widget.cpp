@@ -148,7 +148,7 @@ void PlotWidget::changeEvent(QEvent* event) {
   QWidget::changeEvent(event);
 }
 
-/// Takes Ctrl+C, which would otherwise be a shortcut of the window.
+/// Handles Ctrl+C as a key of the plot; otherwise it would be a shortcut of the window.
 bool PlotWidget::event(QEvent* event) {
   if (event->type() == QEvent::ShortcutOverride &&
       static_cast<QKeyEvent*>(event)->matches(QKeySequence::Copy)) {
@@ -329,7 +329,7 @@ bool PlotWidget::steppedBy(int key) {
   return true;
 }
 
-/// A screen reader reads the current point, not the plot as a whole.
+/// Makes a screen reader read the current point instead of the plot as a whole.
 void PlotWidget::announceFocus() {
   if (!QAccessible::isActive()) return;
   QAccessibleInterface* plot = QAccessible::queryAccessibleInterface(this);
@@ -383,7 +383,7 @@ void PlotWidget::resizeEvent(QResizeEvent* event) {
   m_menuButton->raise();
 }
 
-/// A frame that shows the keyboard focus.
+/// Paints a frame that shows the keyboard focus.
 void PlotWidget::paintEvent(QPaintEvent*) {
   QPainter painter(this);
   painter.setPen(palette().color(hasFocus() ? QPalette::Highlight : QPalette::Base));

@@ -39,7 +39,6 @@ class PlotWidget : public QWidget, public ChartSource {
   /// Enlarges the points of one row of readings: indices into the session's positions and their readings.
   void setHighlighted(std::size_t position, std::size_t row);
   void clearHighlight();
-  /// Shows everything.
   void showWhole();
   /// The text of the point the keyboard selected; empty: none.
   QString currentPoint() const;
@@ -50,7 +49,6 @@ class PlotWidget : public QWidget, public ChartSource {
   QString pointText(std::size_t point) const;
   QRect pointRect(std::size_t point) const;
   bool isPointInSight(std::size_t point) const;
-  /// A new menu.
   std::unique_ptr<QMenu> makeMenu();
   ChartFiles& files() { return *m_files; }
 
@@ -105,7 +103,7 @@ class PlotWidget : public QWidget, public ChartSource {
   QToolButton* m_menuButton;
   ChartFiles* m_files;
   QRubberBand* m_band;
-  /// Kept until the next one opens, since its command may still be asking for a file.
+  /// The last menu, kept until the next one opens, since a command of it may still be asking for a file.
   std::unique_ptr<QMenu> m_menu;
   Drag m_drag = Drag::None;
   QPoint m_pressed, m_dragged;

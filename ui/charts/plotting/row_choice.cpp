@@ -22,7 +22,7 @@ void insert(std::vector<int>& sorted, int value) {
 }
 
 std::size_t rank(const std::vector<int>& sorted, int value) {
-  // Uses that rounds are nearly always numbered without gaps.
+  // Needs no search in the usual case that rounds are numbered without gaps.
   const auto counted = static_cast<std::size_t>(value) - static_cast<std::size_t>(sorted.front());
   if (counted < sorted.size() && sorted[counted] == value) return counted;
   return static_cast<std::size_t>(std::lower_bound(sorted.begin(), sorted.end(), value) - sorted.begin());

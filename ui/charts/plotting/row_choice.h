@@ -39,7 +39,7 @@ struct RowChoice {
 class RowSlots {
  public:
   RowSlots() = default;
-  /// A slot for each round and face of `kinds` that `choice` takes.
+  /// A slot for each round and face of `kinds` that `choice` includes.
   RowSlots(const RowKinds& kinds, const RowChoice& choice);
 
   bool areApart() const { return m_count > 1; }

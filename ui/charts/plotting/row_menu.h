@@ -9,7 +9,7 @@ class QMenu;
 
 namespace alidade::ui {
 
-/// A checkable entry, alone or as one of several.
+/// Adds a checkable entry, alone or as one of several.
 QAction* addChoice(QMenu& menu, const QString& text, bool isChosen, const std::function<void()>& choose);
 
 /// Menus of the existing rounds and faces, if there are several; `choose` receives the new choice.

@@ -68,7 +68,7 @@ class Cells {
   std::vector<Chosen> m_chosen;
 };
 
-/// Indices of the uppermost and lowest mark, and their places: y grows downwards.
+/// The uppermost and the lowest mark: their indices, and their y, which grows downwards.
 struct Extremes {
   std::uint32_t up = none, down = none;
   double top = std::numeric_limits<double>::infinity(), bottom = -top;
@@ -79,7 +79,7 @@ struct Longest {
   double squaredLength = -1;
 };
 
-/// The eighth of a turn of its direction, 0 to 7.
+/// The eighth of a turn that contains the direction of a line: one of eight numbers, 0 to 7.
 std::size_t eighthOf(const QLineF& line) {
   return (line.dx() > 0 ? 1U : 0U) + (line.dy() > 0 ? 2U : 0U) +
          (std::abs(line.dx()) > std::abs(line.dy()) ? 4U : 0U);

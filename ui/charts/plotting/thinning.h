@@ -9,9 +9,9 @@
 namespace alidade::ui {
 
 // Among a hundred thousand markers most are hidden under others. These functions choose the markers to paint,
-// so that painting costs by plot size rather than by number of readings. Extremes always remain in place: the
-// uppermost and lowest mark in each raster cell, and the longest sticks. Computations and pointing use all
-// marks.
+// so that the cost of painting depends on the size of the plot, not on the number of readings. Extremes are
+// always painted: the uppermost and lowest mark in each raster cell, and the longest sticks. Computations and
+// pointing use all marks.
 
 /// The frame of a plot in scene units, and the cell width of the raster: less than a marker.
 struct Raster {
@@ -29,8 +29,8 @@ struct PlacedMark {
 std::vector<PlacedMark> thinned(const std::vector<Mark>& marks, const QTransform& sceneFromAxes,
                                 const Raster& raster);
 
-/// The sticks to paint, in scene units: all if few, otherwise per kind and eighth of a turn the longest that
-/// starts in a cell.
+/// The sticks to paint, in scene units: all if few. Otherwise, for each cell, kind and eighth of a turn, the
+/// longest stick that starts in the cell.
 std::vector<Stick> thinned(const std::vector<Stick>& sticks, const QTransform& sceneFromAxes,
                            const Raster& raster);
 

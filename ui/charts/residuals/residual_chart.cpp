@@ -46,7 +46,7 @@ void ResidualChart::addChoices(QMenu& menu) {
                 });
 }
 
-/// At least one circle is always drawn.
+/// Adds the choice of circles, of which at least one is always drawn.
 void ResidualChart::addCircles(QMenu& menu) {
   const std::pair<QString, bool ResidualChoice::*> circles[] = {
       {tr("&Horizontal"), &ResidualChoice::horizontal},

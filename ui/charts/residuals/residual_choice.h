@@ -8,7 +8,7 @@ namespace alidade::ui {
 
 enum class CircleRead { Horizontal, Vertical, Slider };
 
-/// "horizontal": in the user's language, and as in tables.
+/// The name of a circle, "horizontal": in the user's language, and as in tables.
 QString circleName(CircleRead circle);
 const char* nameOf(CircleRead circle);
 
@@ -19,8 +19,8 @@ struct ResidualChoice {
     Order,      ///< the order in which the rows were read
     Elevation,  ///< e, from the pointing zero
     Azimuth,    ///< a, from the pointing zero
-    Normal,     ///< the normal quantile of their rank, standardised
-    Count,      ///< a histogram: their number in classes of the residual
+    Normal,     ///< standardised, over the normal quantile of their rank
+    Count,      ///< a histogram: the number of residuals in each class
   };
   /// The axes of residuals; the range of each is set by hand separately.
   enum class Axis { Arcsec, Standardised, Normal, Classes, StandardisedClasses };

@@ -16,8 +16,8 @@ struct ResidualKind {
   CircleRead circle = CircleRead::Horizontal;
   bool isFaceTwo = false;
 
-  /// Colour and fill show the axis, a ring a repeat, the shape the circle, a stroke face 2: they stay
-  /// distinguishable in grey.
+  /// Colour and fill show the axis, a ring shows a repeat, the shape shows the circle, a stroke shows face 2.
+  /// The kinds stay distinguishable in grey.
   Marker marker(const PlotStyle& style) const;
   QString text() const;  ///< without the face
 };

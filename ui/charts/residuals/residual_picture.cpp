@@ -54,7 +54,7 @@ void addArc(ResidualPicture& picture, const ArcMeasurement& arc, const ArcFit& f
   }
 }
 
-/// Adds the slider residuals, which only the joint fit of all positions has: it treats sliders as observed.
+/// Adds the slider residuals. Only the joint fit of all positions treats slider readings as observations.
 void addSliders(ResidualPicture& picture, const Measurement& measurement, const SessionFit& fit) {
   for (const AdjustedReading& reading : fit.joint.readings) {
     if (reading.kind != ReadingKind::Slider) continue;
@@ -69,7 +69,7 @@ void addSliders(ResidualPicture& picture, const Measurement& measurement, const 
   }
 }
 
-/// Equal ones stay in the order of the readings.
+/// Sorts the residuals that have a w. Equal ones stay in the order of the readings.
 void sortByStandardised(ResidualPicture& picture) {
   const auto& residuals = picture.residuals;
   for (std::uint32_t i = 0; i < residuals.size(); ++i)

@@ -26,7 +26,7 @@ struct DrawnResidual {
 
 /// The contents of the residual chart, as numbers.
 struct ResidualPicture {
-  /// Horizontal and vertical of each row in turn, then those of the slider.
+  /// The horizontal and the vertical residual of each row in turn, then all slider residuals.
   std::vector<DrawnResidual> residuals;
   std::vector<std::uint32_t> byStandardised;  ///< indices of residuals with a w, smallest first
   RowKinds kinds;                             ///< rounds and faces of all residuals
@@ -43,7 +43,7 @@ struct ResidualPicture {
 
 ResidualPicture residualPicture(const Evaluation& evaluation);
 
-/// The picture drawn along with the evaluation, or else a new one.
+/// The picture computed along with the evaluation, or else a new one.
 std::shared_ptr<const ResidualPicture> residualPictureOf(const Evaluation& evaluation);
 
 }  // namespace alidade::ui

@@ -28,7 +28,7 @@ QList<QPointF> inside(const QList<QPointF>& points, const QRectF& range) {
   return pieces.isEmpty() ? QList<QPointF>() : pieces.first();
 }
 
-/// A curve from left to right, cut at the left and right of the range and kept at its top and bottom.
+/// A curve from left to right, cut at the left and right end of the range and clamped to its top and bottom.
 QList<QPointF> heldIn(const QList<QPointF>& curve, const QRectF& range) {
   QList<QPointF> points = inside(curve, {range.left(), -1e9, range.width(), 2e9});
   for (QPointF& point : points) point.setY(std::clamp(point.y(), range.top(), range.bottom()));

@@ -73,7 +73,7 @@ class ResidualPlot : public Plot {
 
   std::shared_ptr<const ResidualPicture> m_picture = std::make_shared<const ResidualPicture>();
   ResidualChoice m_choice;
-  ResidualChoice m_drawn;  ///< the part available in the picture
+  ResidualChoice m_drawn;  ///< the part of the choice available in the picture
   ResidualKinds m_kinds;
   RowSlots m_slots;
   std::vector<ResidualPoint> m_points;  ///< also those beyond a range set by hand
@@ -86,7 +86,7 @@ class ResidualPlot : public Plot {
   QRectF m_extent{0, -10, 180, 20};  // extent of what is drawn
   std::array<NoiseBand, mostBands>
       m_bands;          // the largest σ first, so that smaller ones are drawn over it; owned by the chart
-  NoiseBand m_area;     // envelope of normal values, or bars; likewise
+  NoiseBand m_area;     // envelope of normal values, or bars; owned by the chart
   QLineSeries* m_line;  // zero, the normal line, or the curve of expected numbers
 };
 

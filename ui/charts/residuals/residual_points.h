@@ -16,8 +16,8 @@ struct ResidualPoint {
   std::uint32_t index = 0;  ///< index into the picture's residuals
 };
 
-/// The chosen residuals that have a place: an unchecked reading has no standardised residual. Those of a
-/// histogram are at y = 0. `choice.rows` names only rounds and faces of the picture.
+/// The places of the chosen residuals, without the standardised ones of unchecked readings, which have no
+/// value. In a histogram all are at y = 0. `choice.rows` names only rounds and faces of the picture.
 std::vector<ResidualPoint> residualPoints(const ResidualPicture& picture, const ResidualChoice& choice);
 
 /// The histogram of residuals, as drawn.

@@ -12,8 +12,8 @@ namespace alidade::ui {
 
 class FormChart;
 
-/// The forms of a gap: each in a sentence, with where the model holds and its curve; then how far the gap
-/// shrinks.
+/// The forms of a gap: for each a sentence, the range in which the model is valid, and the curve. Then a
+/// sentence on how far the gap shrinks.
 class FormList : public QWidget {
   Q_OBJECT
 
@@ -23,7 +23,7 @@ class FormList : public QWidget {
   void setGap(const Gap& gap);
 
  signals:
-  void keepWanted(std::size_t form);  ///< as an effect of one's own; an index into the forms
+  void keepWanted(std::size_t form);  ///< keep form `form` (index) as an effect of one's own
 
  private:
   struct Row {

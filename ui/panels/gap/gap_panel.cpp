@@ -230,7 +230,7 @@ QWidget* GapPanel::createCandidates() {
   return block(tr("Candidates, each by itself"), {m_candidates, m_add});
 }
 
-/// Two columns below headline, causes and forms if the width allows, else one; hidden blocks come last.
+/// Lays out two columns below headline, causes and forms if the width allows, else one; hidden blocks last.
 void GapPanel::arrange() {
   const int columns = viewport()->width() >= byFont(twoColumnsFrom) ? 2 : 1;
   m_grid->setColumnStretch(0, columns == 2 ? 4 : 1);
@@ -304,7 +304,7 @@ void GapPanel::showClosures() {
   m_closuresNote->setText(qText(closures.sentences.front()));
 }
 
-/// The switch is shown if the measurement states the uncertainty of the reference.
+/// Shows the switch if the measurement states the uncertainty of the reference.
 void GapPanel::showReference() {
   m_withReference->setVisible(m_gap->evaluation->examined.measurement->sigmaReference.has_value());
   m_withReferenceNote->setVisible(!m_withReference->isHidden());
@@ -323,7 +323,7 @@ bool GapPanel::isInModel(const std::string& id) const {
   return std::find(effects.begin(), effects.end(), id) != effects.end();
 }
 
-/// The button follows the current row.
+/// Enables the button for the candidate in the current row, and names the candidate on it.
 void GapPanel::showCandidate() {
   const Candidate* current = candidate(m_candidates->currentIndex().row());
   const bool isEffect = current && effectById(current->effect);

@@ -21,8 +21,8 @@ class LeftoverStrips;
 class RemedyList;
 class StatementView;
 
-/// The gap between model and readings: verdict, table of causes and forms with its actions, how far the gap
-/// shrinks, its place, what to measure next, undetectable effects and all candidates. Only emits signals.
+/// The gap between model and readings: verdict, causes and forms with actions, how far the gap shrinks, where
+/// it lies, what to measure next, undetectable effects and all candidates. Actions only emit signals.
 class GapPanel : public ScrollPage {
   Q_OBJECT
 
@@ -32,7 +32,7 @@ class GapPanel : public ScrollPage {
   void setGap(const SharedGap& gap);
   /// The session changed: the old contents stay, with actions disabled until the new diagnosis.
   void setStale();
-  /// Another session, not diagnosed yet.
+  /// Empties the page for another session, which is not diagnosed yet.
   void clear();
 
   QSize minimumSizeHint() const override { return {300, 160}; }

@@ -15,8 +15,8 @@ namespace alidade::ui {
 
 namespace {
 
-/// Advice about a jump: which rows may be excluded, and under what condition. Rows stay if the orientation of
-/// every pointing zero is still valid for them.
+/// Advice about a jump: which rows may be excluded, and under what condition. The rows that stay must have
+/// the orientation of every pointing zero that they use.
 QString jumpText(const Session& session, const Jump& jump) {
   if (jump.isAtZero)
     return RemedyList::tr(
@@ -127,7 +127,7 @@ void RemedyList::addJump(const Gap& gap, const Cause& cause) {
   addText(jumpText(gap.evaluation->session, *jump));
   connect(addButton(tr("Go to the reading"), QStringLiteral("go to jump")), &QPushButton::clicked, this,
           [this, place = jump->place] { emit placeActivated(place); });
-  if (jump->before && jump->after) m_buttons = nullptr;  // three in a row are wider than the page
+  if (jump->before && jump->after) m_buttons = nullptr;  // three buttons in a row are wider than the page
   if (jump->before)
     addRowsExclusion(tr("Exclude rows before the jump"), QStringLiteral("exclude before"), *jump->before);
   if (jump->after)

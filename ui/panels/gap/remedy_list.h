@@ -14,7 +14,7 @@ class QVBoxLayout;
 namespace alidade::ui {
 
 /// Remedies for causes that are not effects of the model: misread values, a jump, larger noise. Also for the
-/// vertical angle relation, which is better set than estimated. Only emits signals; hidden without remedies.
+/// vertical angle relation, which is better set than estimated. Buttons only emit signals. Hidden if empty.
 class RemedyList : public QWidget {
   Q_OBJECT
 
@@ -24,7 +24,7 @@ class RemedyList : public QWidget {
   void setGap(const Gap& gap);
 
  signals:
-  /// Set the session's vertical angle relation to `text`.
+  /// Asks to set the session's vertical angle relation to `text`.
   void relationWanted(const QString& text);
   void placeActivated(const alidade::Place& place);
   void exclusionWanted(const alidade::Place& place);

@@ -18,7 +18,7 @@ namespace alidade::ui {
 
 namespace {
 
-/// True if the journal lacks a reason: an exclusion has a note, an accepted proposal or an import its origin.
+/// True if an entry needs a stated reason. An exclusion has its note, a proposal or an import its origin.
 bool isReasonMissing(const JournalEntry& entry) {
   namespace why = journal_reasons;
   const std::string_view unexplained[] = {why::retyped, why::cleared,  why::pasted, why::usedAgain,

@@ -18,7 +18,7 @@ class JournalPanel : public QWidget {
   explicit JournalPanel(QWidget* parent = nullptr);
 
   void setEvaluation(const SharedEvaluation& evaluation);
-  /// The summary, known once the search for misread readings has ended.
+  /// Shows the summary, which is known once the search for misread readings has ended.
   void setSummary(const Evaluation& evaluation);
 
  private:

@@ -153,7 +153,7 @@ void EffectsPanel::handIn(QTreeWidgetItem* item) {
       this, [this, id, isEstimated] { setEffect(m_document, id, isEstimated); }, Qt::QueuedConnection);
 }
 
-/// The size of an effect with one number is in its own row, those of several in rows below.
+/// Shows the size of an effect with one number in its own row, the sizes of several numbers in rows below.
 void EffectsPanel::setEvaluation(const Evaluation& evaluation) {
   const QSignalBlocker quiet(m_list);
   const auto& estimates = evaluation.fit.effects;

@@ -23,9 +23,9 @@ class EffectsPanel : public QWidget {
   void setEvaluation(const Evaluation& evaluation);
 
  signals:
-  /// Asks to type a known size of the effect; empty: of none in particular.
+  /// Asks to type a known size of this effect; empty: of an effect still to be chosen.
   void knownWanted(const std::string& effect);
-  /// Asks to type an effect of one's own; empty: a new one.
+  /// Asks to change this effect of the user's own; empty: to type a new one.
   void ownWanted(const std::string& id);
 
  private:

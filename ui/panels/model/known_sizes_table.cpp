@@ -71,7 +71,7 @@ void KnownSizesTable::layOutColumns() {
   });
 }
 
-/// Rows added or removed reset the table; the current cell stays the same.
+/// Adding or removing rows resets the table. Afterwards the same cell is made current again.
 void KnownSizesTable::keepCurrentOverResets() {
   const auto before = std::make_shared<std::pair<int, int>>();
   connect(&m_model, &QAbstractItemModel::modelAboutToBeReset, this, [this, before] {

@@ -55,7 +55,7 @@ class OrderPanel : public QWidget {
   void requestOutlook();
   void requestAhead();                  ///< in a protocol by worth
   const Guide* guideThatLeads() const;  ///< null without a protocol, or with an invalid one
-  SharedGap gapOfThis() const;          ///< null if it belongs to another state
+  SharedGap gapOfThis() const;          ///< null if `m_gap` belongs to another state
   const FollowedSighting& sighting(int row) const;
   QString expectedText(int row, bool isHorizontal) const;
   QString remarkText(int row) const;

@@ -5,7 +5,7 @@
 
 namespace alidade::ui {
 
-/// A closed editor is hidden and exists until events are processed.
+/// A closed editor is hidden at once, but exists until events are processed.
 QLineEdit* CellDelegate::openEditor() const {
   return m_editor && !m_editor->isHidden() ? m_editor.data() : nullptr;
 }

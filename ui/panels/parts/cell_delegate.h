@@ -17,7 +17,7 @@ class CellDelegate : public QStyledItemDelegate {
 
   static constexpr int signWidth = 14;  ///< of the error or suspect sign, in pixels
 
-  /// Null if none is open.
+  /// The editor that is open; null if there is none.
   QLineEdit* openEditor() const;
   /// Commits and closes the open editor, if there is one.
   void commitOpenEditor();

@@ -24,7 +24,7 @@ void EntryTable::commitOpenEditor() {
   m_delegate->commitOpenEditor();
 }
 
-/// The key that opens an editor is typed into it before this returns.
+/// A key that opens an editor is already typed into the editor when `QTableView::edit` returns.
 bool EntryTable::edit(const QModelIndex& cell, EditTrigger trigger, QEvent* event) {
   const QLineEdit* before = m_delegate->openEditor();
   if (!QTableView::edit(cell, trigger, event)) return false;
@@ -70,7 +70,7 @@ bool EntryTable::isLost(const QKeyEvent& event) const {
   return isDigit && currentIndex().isValid() && !currentIndex().flags().testFlag(Qt::ItemIsEditable);
 }
 
-/// Qt would start at the first column, whatever its contents.
+/// Makes `firstCell` current. Qt would start at the first column, whatever its contents.
 void EntryTable::focusInEvent(QFocusEvent* event) {
   const QModelIndex first = firstCell();
   if (!currentIndex().isValid() && first.isValid() && event->reason() != Qt::MouseFocusReason) goTo(first);

@@ -31,14 +31,14 @@ class EntryTable : public QTableView {
   void closeEditor(QWidget* editor, QAbstractItemDelegate::EndEditHint hint) override;
   void keyPressEvent(QKeyEvent* event) override;
   bool focusNextPrevChild(bool next) override;
-  /// Performs the action of the key. False: the key has none.
+  /// Performs the action of the key. Returns false if the key has none.
   virtual bool handleEditKey(const QKeyEvent* event);
   /// The cell to which Return, Tab or Backtab leads; invalid: out of the table.
   virtual QModelIndex onward(const QModelIndex& from, int key) const = 0;
 
   /// Selects the cell alone, whatever modifier keys are held.
   void goTo(const QModelIndex& cell);
-  /// The first cell for the keyboard while no cell is current.
+  /// The cell that becomes current when the keyboard enters the table while no cell is current.
   virtual QModelIndex firstCell() const { return {}; }
   void focusInEvent(QFocusEvent* event) override;
   /// The next (`step` 1) or previous (−1) visible editable cell; invalid at either end of the table.

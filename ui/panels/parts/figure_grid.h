@@ -36,7 +36,7 @@ class FigureGrid : public QWidget {
 
   explicit FigureGrid(QWidget* parent = nullptr, Captions captions = Captions::OnOneLine);
 
-  /// `barColumn`: the figures at the left with bars behind them; −1: none.
+  /// `barColumn`: the column whose figures are flush left, with bars behind them; −1: none.
   void setRows(const QStringList& titles, const QVector<Row>& rows, int barColumn = -1);
   /// The ids of the ticked rows, in order.
   QStringList ticked() const;

@@ -10,8 +10,8 @@ class QWidget;
 
 namespace alidade::ui {
 
-/// Puts `parts` side by side or above each other, with `sizes` as initial sizes. Its state is remembered
-/// under `name` once a handle of it was moved.
+/// Puts `parts` side by side or above each other, with `sizes` as initial sizes. The state of the splitter is
+/// remembered under `name` once one of its handles was moved.
 QSplitter* split(Qt::Orientation orientation, const char* name, std::initializer_list<QWidget*> parts,
                  const QList<int>& sizes);
 

@@ -6,7 +6,7 @@ class QVBoxLayout;
 
 namespace alidade::ui {
 
-/// A page of figures as wide as its tab, scrolled vertically if too low.
+/// A page of figures as wide as its tab, which scrolls vertically if the tab is too low.
 class ScrollPage : public QScrollArea {
   Q_OBJECT
 

@@ -119,13 +119,13 @@ QWidget* PositionTabs::createPage(std::size_t position) {
   return page;
 }
 
-/// Shown in all positions or in none.
+/// Shows or hides the further sightings of the zero in all positions together.
 void PositionTabs::showFurtherZeros(bool shown) {
   m_showsZeros = shown;
   for (ZeroEntries* zero : m_zeros) zero->showFurther(shown);
 }
 
-/// Shows existing further sightings.
+/// Shows the further sightings of the zero if the session has any.
 void PositionTabs::followZeros() {
   if (!m_showsZeros && std::ranges::any_of(m_zeros, &ZeroEntries::hasFurther)) showFurtherZeros(true);
 }

@@ -11,7 +11,7 @@ namespace alidade::ui {
 
 namespace {
 
-/// The sign of a cell that differs from its first entry.
+/// Paints the sign of a cell that differs from its first entry.
 void paintCorner(QPainter& painter, const QStyleOptionViewItem& option) {
   constexpr int side = 7;
   const QPoint corner = option.rect.topRight() + QPoint(1, 0);

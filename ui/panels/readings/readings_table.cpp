@@ -100,7 +100,7 @@ int ReadingsTable::widthOf(const char* sample) const {
   return fontMetrics().horizontalAdvance(QString::fromUtf8(sample)) + 12;
 }
 
-/// Room for an angle to a tenth of a second with a sign, at least for one to a second.
+/// Gives the angle columns room for a tenth of a second and a sign, or at least for a second and a sign.
 void ReadingsTable::fitAngles() {
   if (!m_isFitted) return;
   const auto width = [this](const char* sample) { return widthOf(sample) + ReadingDelegate::signWidth + 2; };

@@ -23,8 +23,8 @@ class ReadingsTable : public EntryTable {
   void setColumnShown(ReadingColumn column, bool shown);  ///< a column in use stays shown
   void selectCell(int row, ReadingColumn column);
   std::vector<std::size_t> selectedRows() const;  ///< ascending, rows with a reading only
-  /// Makes the first missing horizontal or vertical cell current; the one in the empty row if all others are
-  /// complete.
+  /// Makes the first missing horizontal or vertical cell current. If all rows are complete, this is a cell of
+  /// the empty last row.
   void goToNextEntry();
 
   void copy() const override;

@@ -59,7 +59,7 @@ void ReasonLine::keyPressEvent(QKeyEvent* event) {
   QCoreApplication::sendEvent(&m_table, event);
 }
 
-/// The line closes when it loses the focus, but not to another window or a menu.
+/// Closes the line when it loses the focus, unless another window or a menu gets the focus.
 void ReasonLine::focusOutEvent(QFocusEvent* event) {
   QLineEdit::focusOutEvent(event);
   if (event->reason() != Qt::PopupFocusReason && event->reason() != Qt::ActiveWindowFocusReason) finish();

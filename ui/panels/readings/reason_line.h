@@ -9,7 +9,7 @@ namespace alidade::ui {
 
 /// A line over a table, below an excluded row, for the reason of the exclusion. Return accepts the typed
 /// text, which may be empty; Escape gives no reason. Both return the focus to the table. While the line is
-/// empty, keys such as the arrows go to the table.
+/// empty, Up, Down and Space close it and act on the table.
 class ReasonLine : public QLineEdit {
   Q_OBJECT
 

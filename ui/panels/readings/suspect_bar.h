@@ -21,7 +21,7 @@ class SuspectBar : public QFrame {
   explicit SuspectBar(QWidget* parent = nullptr);
 
   void setEvaluation(const Evaluation& evaluation);
-  /// The session changed: keeps its place, but shows and applies nothing until the new search ends.
+  /// The session changed: keeps the height of the bar, but offers no suspect until the new search ends.
   void setStale();
   /// The search was stopped: the suspects of this session are unknown.
   void setUnknown();
@@ -30,7 +30,7 @@ class SuspectBar : public QFrame {
 
   const Suspect* current() const;  ///< null if there is none, or the session has changed since
   bool hasProposal() const;
-  /// Leads to the suspect shown; if repeated, to the next.
+  /// Leads to the suspect shown; the next call leads to the next suspect.
   void goToNext();
   void useProposal(int index = 0);
   void exclude();

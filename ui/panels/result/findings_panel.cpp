@@ -105,8 +105,8 @@ int FindingsPanel::wholeHeight() const {
   return visualItemRect(item(count() - 1)).bottom() - visualItemRect(item(0)).top() + 1 + frame;
 }
 
-/// Leaves an unchanged list alone, so scroll position and current line stay. An "all sound" line also stays
-/// until a new diagnosis.
+/// Does not touch an unchanged list, so scroll position and current line stay. A line "No problems." also
+/// stays until a new diagnosis.
 void FindingsPanel::refresh() {
   std::vector<Entry> entries = m_found;
   if (!m_gapHeadline.isEmpty()) entries.insert(entries.begin(), gapEntry());
@@ -163,7 +163,7 @@ std::vector<FindingsPanel::Entry> FindingsPanel::entriesOf(const Evaluation& eva
   return entries;
 }
 
-/// Unusable entries, or only missing ones. Lists the first of very many; the table marks them all.
+/// The unusable entries, or the missing ones. Lists at most `mostListed`; the table of readings marks all.
 std::vector<FindingsPanel::Entry> FindingsPanel::problemEntries(const Evaluation& evaluation, bool missing) {
   const QString icon = missing ? QStringLiteral("incomplete") : QStringLiteral("problem");
   const QString accessible = missing ? tr("Missing") : tr("Problem");

@@ -19,11 +19,11 @@ class FindingsPanel : public QListWidget {
   explicit FindingsPanel(QWidget* parent = nullptr);
 
   void setEvaluation(const Evaluation& evaluation);
-  /// The headline of a diagnosis; empty: no gap. The list says "all sound" only after a diagnosis.
+  /// The headline of a diagnosis; empty: no gap. The list says "No problems." only after a diagnosis.
   void setGap(const QString& headline);
   /// The session changed: the old findings are marked as outdated.
   void setGapStale();
-  /// Another session, not diagnosed yet.
+  /// Empties the list for another session, which is not diagnosed yet.
   void clearGap();
   /// The height that shows every line at this width.
   int wholeHeight() const;

@@ -23,12 +23,12 @@ namespace alidade::ui {
 
 namespace {
 
-/// Without a result the panel says what is missing instead.
+/// Whether there is a result. Without one the panel says what is missing.
 bool hasResult(const Headline& headline) {
   return !headline.fitOnly.empty();
 }
 
-/// True if the reason can be folded away: that of an open result is always shown.
+/// True if the reason can be folded away. The reason of an open result is always shown.
 bool isReasonFolded(const Headline& headline) {
   return headline.decided && *headline.decided != Verdict::Undecided;
 }
@@ -143,8 +143,8 @@ void ResultPanel::setSearched(const Evaluation& evaluation) {
   m_published->setStatement(transposed(publishedTable(evaluation.published)));
 }
 
-/// Wide enough for figures of usual size and for the longest with wrapped captions. Set once, so that edits
-/// do not resize the window.
+/// Sets a minimum width for figures of usual size, and for the longest figures with wrapped captions. Called
+/// once, so that edits do not resize the window.
 void ResultPanel::fixWidth() {
   const auto widthOf = [](FigureGrid& grid, const QString& caption, const QString& figure) {
     grid.setRows({tr("0°"), tr("180°")}, {{caption, {figure, figure}}});

@@ -29,12 +29,12 @@ class ResultPanel : public ScrollPage {
   void setHeadline(const Headline& headline);
   /// Shows the arcs, or what is missing for a result.
   void setEvaluation(const Evaluation& evaluation);
-  /// The same evaluation after the search; it may add the published method.
+  /// The same evaluation after the search for misread readings. Shows its figures by the published method.
   void setSearched(const Evaluation& evaluation);
   void setComparisonShown(bool shown);
   /// The session changed: keeps the height of the head until the new diagnosis.
   void setGapStale();
-  /// Another session, not diagnosed yet.
+  /// Another session is open, which is not diagnosed yet: no longer keeps the height of the head.
   void clearGap();
 
  signals:

@@ -12,9 +12,9 @@ class SessionDocument;
 class SimulationBox;
 class StatementView;
 
-/// The uncertainty budget. Δd, measured: every effect of the catalogue. Δd, fit only, and each centre
-/// coordinate: readings, model effects, pointing zeros and distance. Also checks the fit by Monte Carlo on
-/// request.
+/// The uncertainty budgets: of Δd, measured, with every effect of the catalogue; of Δd, fit only, and of each
+/// centre coordinate, with readings, model effects, known radius, pointing zeros and distance. Checks the fit
+/// by Monte Carlo on request.
 class BudgetPanel : public ScrollPage {
   Q_OBJECT
 
@@ -26,7 +26,7 @@ class BudgetPanel : public ScrollPage {
   void setGap(const Gap& gap);
   /// The session changed: the budget of Δd, measured, is marked as outdated.
   void setGapStale();
-  /// Another session, not diagnosed yet.
+  /// Hides the budget of Δd, measured, for another session, which is not diagnosed yet.
   void clearGap();
   /// The session changed: stops a Monte Carlo run of another state.
   void stopOutdatedSimulation();

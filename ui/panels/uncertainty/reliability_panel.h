@@ -42,7 +42,7 @@ class ReliabilityPanel : public QWidget {
 
   const std::vector<AdjustedReading>& readings() const;
   const ArcMeasurement& measuredArc(const AdjustedReading& adjusted) const;
-  /// Computed as it is painted, so a long table costs no more than the visible rows.
+  /// Computes a row when it is painted, so a long table costs no more than its visible rows.
   Row row(int index) const;
   Row rowOf(const AdjustedReading& adjusted) const;
   Reliability reliability(const AdjustedReading& adjusted) const;

@@ -15,8 +15,8 @@ namespace alidade::ui {
 class StatementView;
 class SessionDocument;
 
-/// Checks the propagated uncertainty of Δd by Monte Carlo: number of draws, run or stop, and both results
-/// with whether they agree. Only for the current session: a run requested after an edit waits for the fit.
+/// Checks the propagated uncertainty of Δd by Monte Carlo: a field for the draws, a button to run or stop,
+/// both results, and whether they agree. A run requested after an edit waits for the fit of that edit.
 class SimulationBox : public QWidget {
   Q_OBJECT
 

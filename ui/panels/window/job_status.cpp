@@ -13,8 +13,8 @@ namespace alidade::ui {
 
 namespace {
 
-constexpr int lookEvery = 200;  // ms
-constexpr int patience = 2;     // number of looks before anything is shown
+constexpr int lookEvery = 200;  // polling interval, ms
+constexpr int patience = 2;     // number of polls before anything is shown
 
 }  // namespace
 

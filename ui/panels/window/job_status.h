@@ -19,7 +19,7 @@ class JobStatus : public QWidget {
  public:
   JobStatus(const FitJob& fit, const GapJob& gap, QWidget* parent = nullptr);
 
-  /// Work was started: polls until all is done.
+  /// Call when work starts. Polls until all work is done.
   void watch();
 
  signals:
@@ -32,7 +32,7 @@ class JobStatus : public QWidget {
   const FitJob& m_fit;
   const GapJob& m_gap;
   QTimer m_watch;
-  int m_looks = 0;  ///< since the work began
+  int m_looks = 0;  ///< number of polls since the work began
   QLabel* m_text;
   QToolButton* m_stop;
 };

@@ -23,7 +23,7 @@ class PageTabs : public QTabWidget {
   void addPage(QWidget* page, const QString& title, Show show, Wanted wanted = {});
 
   void setEvaluation(SharedEvaluation evaluation);
-  /// Brings the page to the front and gives it the keyboard; does nothing if it is hidden.
+  /// Brings the page to the front and gives it the keyboard; does nothing if the page is hidden.
   void showPage(int index);
 
  private:
