@@ -9,7 +9,7 @@ namespace alidade {
 // Probability, 0…1, that a measurand lies within its tolerance, from the distribution of its estimate (JCGM
 // 106:2012, 7.4). Absent without degrees of freedom or an uncertainty.
 
-/// The measurand is |Δd + shift|, `tolerance` in mm.
+/// The measurand is |Δd + shift|; `tolerance` and `shift` are in mm.
 std::optional<double> conformanceOf(const IntersectionEstimate& estimate, double tolerance, double shift = 0);
 
 /// Probability, 0…1, that Δd lies beyond the tolerance, for each side.
@@ -20,7 +20,7 @@ struct TailRisk {
   bool areAtMost(double risk) const { return below <= risk && above <= risk; }
 };
 
-/// The measurand is |Δd|, `tolerance` in mm. Absent as above.
+/// The measurand is |Δd|; `tolerance` is in mm. Absent without degrees of freedom or an uncertainty.
 std::optional<TailRisk> tailRiskOf(const IntersectionEstimate& estimate, double tolerance);
 
 /// Adds a further standard uncertainty `sigma` (≥ 0, mm) to every account of Δd.

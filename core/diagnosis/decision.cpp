@@ -22,8 +22,8 @@ Verdict verdictOf(const IntersectionEstimate& estimate, double more, const Measu
   return holds ? guarded : Verdict::Undecided;
 }
 
-/// Undecided if the causes leave the measurand undetermined. From a part of the distance alone only a
-/// rejection can follow.
+/// The verdict from Δd, measured. Undecided if the causes leave the measurand undetermined. A part of the
+/// distance alone can only cause a rejection.
 Verdict verdictOf(const std::optional<MeasuredIntersection>& measured, double more,
                   const Measurement& measurement) {
   if (!measured) return Verdict::Undecided;
@@ -37,8 +37,8 @@ Verdict verdictOf(const std::optional<MeasuredIntersection>& measured, double mo
   return inPlane == Verdict::Reject ? inPlane : Verdict::Undecided;
 }
 
-/// If the distance is the measurand, the fit determines only a part of the distance. This part may be within
-/// the tolerance although the whole distance is not.
+/// Whether the two accounts contradict each other. If the distance is the measurand, the fit determines only
+/// a part of it, which may be within the tolerance although the whole distance is not.
 bool contradict(const AcceptanceDecision& decision, Measurand measurand) {
   if (measurand == Measurand::Distance)
     return decision.asFound == Verdict::Accept && decision.asModelled != Verdict::Accept;

@@ -9,12 +9,12 @@
 
 namespace alidade {
 
-// The verdict of an acceptance, with the diagnosis. It is a function of the evidence with thresholds and
-// without switches.
+// The verdict of an acceptance, the diagnosis taken into account. It is a function of the evidence with
+// thresholds and without switches.
 //
 // 1. Both accounts must agree: Δd ± U of the session's own model, and the measured Δd.
 // 2. The measured Δd must satisfy the guard band (`decide`: accept only if |Δd| + U ≤ T, reject only if |Δd|
-//    − U > T). It must also satisfy the risk on either side of the tolerance, with the coverage c:
+// − U > T). It must also keep the risk on either side of the tolerance small, with the coverage c:
 //
 //      accept:  P(Δd > T) ≤ (1 − c)/2 and P(Δd < −T) ≤ (1 − c)/2,
 //      reject:  P(Δd ≤ T) ≤ (1 − c)/2 or P(Δd ≥ −T) ≤ (1 − c)/2.
@@ -26,15 +26,15 @@ namespace alidade {
 //    of its cause.
 // 4. The verdict is open if the gap is real and unexplained with a probability above `mostUnexplained`.
 // 5. An undetectable effect of the catalogue is in U and in the probability, at its plausible size. An
-//    undetectable jump is a condition of the verdict: stated if a jump of plausible size would have changed
+//    undetectable jump is a condition of the verdict, stated if a jump of plausible size would have changed
 //    the verdict. The probability of conformity includes it, with its prior odds.
 
 /// Least coverage of U for a verdict: a guard band of lower coverage gives no protection.
 constexpr double leastCoverageOfVerdict = 0.9;
 
 /// A larger probability of an unexplained gap leaves the verdict open. In 1000 simulated sessions, half of
-/// them with an uncatalogued effect, 492 of the 508 `NotInCatalogue` exceed it. Sessions below it are unclear
-/// or depend on one reading; their U covers both cases.
+/// them with an uncatalogued effect, 492 of the 508 `NotInCatalogue` exceed it. The other sessions are
+/// unclear or depend on one reading; their U covers both cases.
 constexpr double mostUnexplained = 0.95;
 
 struct AcceptanceDecision {
@@ -51,7 +51,7 @@ struct AcceptanceDecision {
   };
 
   Verdict verdict = Verdict::Undecided;
-  /// From Δd ± U of the session's own model, which knows only this part of the distance from the axis.
+  /// From Δd ± U of the session's own model. Of the distance from the axis this model determines only Δd.
   Verdict asModelled = Verdict::Undecided;
   /// From the measured Δd (2 and 3 above); absent without a diagnosis.
   std::optional<Verdict> asFound = {};

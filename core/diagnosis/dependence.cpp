@@ -72,7 +72,7 @@ Verdict shifted(const Measurement& measurement, const SessionFit& fit, const Dia
   return decided(diagnosis->measured->estimate) == modelled ? modelled : Verdict::Undecided;
 }
 
-/// Undecided if the remaining rows allow no decision.
+/// The verdict without a row; undecided if the remaining rows allow no decision.
 Verdict verdictWithout(Measurement measurement, const Influence& row, bool withDiagnosis) {
   std::vector<Sighting>& sightings = measurement.arcs[row.arc].sightings;
   sightings.erase(sightings.begin() + static_cast<std::ptrdiff_t>(row.sighting));

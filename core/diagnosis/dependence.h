@@ -11,8 +11,8 @@ namespace alidade {
 // The single rows on which a verdict depends: leaving out one of them changes the verdict.
 //
 // Leaving out row i moves Δd to first order by −Σ g v/(1 − h). v are the residuals of its readings, r their
-// redundancies, g = ∂Δd/∂reading. 1 − h = Σ r/c is the share that other rows check. c is the number of its
-// readings, less one if its visit has no other row: one reading then fixes the arc angle.
+// redundancies, g = ∂Δd/∂reading. 1 − h = Σ r/c is the share that other rows check. c is the number of
+// readings of the row, minus one if its visit has no other row, since one reading then fixes the arc angle.
 //
 // The diagnosis's choice of an explanation is not linear in the readings. So the rows that move Δd most, and
 // those that contribute most to χ², Σ (v/σ)²/(1 − h), are left out with a new fit, diagnosis and decision.
@@ -22,7 +22,7 @@ struct Dependence {
   std::size_t position = 0, row = 0;  ///< indices in the session
   int axisDeg = 0, time = 1, round = 1, point = 0, face = 1;
   Verdict without = Verdict::Undecided;  ///< the verdict without the row
-  bool isExact = true;                   ///< false: to first order only
+  bool isExact = true;                   ///< false if evaluated to first order only
 };
 
 /// The largest number of rows that are excluded with a new fit and diagnosis each.
@@ -31,7 +31,7 @@ constexpr std::size_t mostLeftOut = 8;
 constexpr std::size_t mostRowsForLeavingOut = 500;
 
 /// Returns the rows in the order of the session. The arguments are those of `decideAcceptance`, which made
-/// `decision` from them. Empty if the verdict is withheld because of lengths or coverage. Asked to stop, it
+/// `decision` from them. Empty if the verdict is withheld because of lengths or coverage. On a stop request,
 /// returns early with fewer rows.
 std::vector<Dependence> dependencesOf(const Measurement& measurement, const SessionFit& fit,
                                       const Diagnosis* diagnosis, const AcceptanceDecision& decision,

@@ -52,7 +52,7 @@ std::vector<GapShare> whereOf(const Inquiry& inquiry, const Answer& answer) {
 }
 
 /// Returns the most likely pattern. Its share is p²/(p² + q²) with the lengths p of the pattern and q of the
-/// rest: at most 1, even if the pattern was found at another noise and exceeds the gap.
+/// rest. The share is at most 1, even if the pattern was found at another noise and exceeds the gap.
 std::optional<GapShape> shapeOf(const Inquiry& inquiry) {
   const auto shaped = std::ranges::find_if(inquiry.explanations, &Explanation::shaped);
   if (shaped == inquiry.explanations.end()) return std::nullopt;

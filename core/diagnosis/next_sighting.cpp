@@ -15,7 +15,7 @@ namespace alidade {
 
 namespace {
 
-/// Returns the hypotheses whose probability matters.
+/// Returns the most probable hypotheses; the others are negligible.
 std::vector<Weighed> likely(const std::vector<Weighed>& all) {
   constexpr std::size_t most = 14;
   constexpr double least = 5e-4;
@@ -59,8 +59,8 @@ std::vector<NextSighting> ranked(const PossibleSightings& session, const std::ve
   return list;
 }
 
-/// Half the width of the range that contains Δd at all times together with probability 1 − α: a normal
-/// mixture of prior width 1 mm.
+/// Half the width of the range that contains Δd at all times together with probability 1 − α. It follows from
+/// a normal mixture of prior width 1 mm.
 double halfWidthAtAllTimes(double sigma, double alpha) {
   constexpr double prior = 1;  // mm
   const double ratio = sigma * sigma / (prior * prior);
@@ -84,13 +84,13 @@ std::vector<WeighedCause> listOf(const WeighedCauses& causes) {
   return list;
 }
 
-/// Whether it is an effect, a jump or a gross error. A form is weighed alone: together with another cause it
-/// takes up what the grid of forms misses.
+/// Whether the hypothesis is an effect, a jump or a gross error. A form is weighed alone: a second cause
+/// would only take up what the grid of forms misses.
 bool mayBeOfTwo(const Weighed& weighed) {
   return !weighed.cause.empty() && weighed.cause != noiseId && weighed.cause != formId;
 }
 
-/// The probabilities if each cause is there alone, or `first` together with any of `further`.
+/// The probabilities if each cause is present alone, or `first` together with any of `further`.
 std::vector<WeighedCause> listOf(const WeighedCauses& causes, const Weighed& first,
                                  const WeighedCauses& further) {
   double together = impossible, whole = impossible;
@@ -119,14 +119,14 @@ bool leavesOnlyNoise(const WeighedCauses& causes, const Weighed& cause) {
   return chiSquareUpperTail(causes.chiSquareAfter(cause), DegreesOfFreedom(left)).value_or(1) > noMore;
 }
 
-/// The most probable cause that may be one of two; null without one.
+/// The most probable cause that may be one of two; null if there is none.
 const Weighed* likeliestOfTwo(const WeighedCauses& causes) {
   const auto found = std::ranges::find_if(causes.all(), mayBeOfTwo);
   return found == causes.all().end() ? nullptr : &*found;
 }
 
-/// The group of a second cause that is certain given the first, if the first is in turn certain given the
-/// second: otherwise it may only mimic two others. Empty without such a cause.
+/// The group of a second cause that is certain given the first. The first must also be certain given the
+/// second, otherwise the second may only mimic two other causes. Empty without such a cause.
 std::vector<std::string> secondGroup(const SessionSoFar& state, const WeighedCauses& causes,
                                      const WeighedCauses& further, const SightingEquations& extended,
                                      const SightingEquations& equations) {
@@ -143,11 +143,11 @@ std::vector<std::string> secondGroup(const SessionSoFar& state, const WeighedCau
   return group;
 }
 
-/// Weighs what there may be in addition to the likeliest cause. Names one or both if that cause is certain,
-/// and returns whether it is. Larger noise is never named: an uncatalogued effect may look the same.
+/// Weighs further causes in addition to the likeliest one. If the likeliest is certain, names it or both
+/// causes and returns true. Larger noise is never named: an uncatalogued effect may look the same.
 bool weighFurther(SessionSoFar& state, const WeighedCauses& causes, const SightingEquations& equations,
                   const auto& rank) {
-  // With less evidence left for a further cause, the sightings of one cause rise steeply.
+  // With a smaller limit, a session with one cause would need many more sightings.
   constexpr double leastLeft = 0.6;
   const Weighed* first = likeliestOfTwo(causes);
   if (!first || !isEvident(state)) return false;
@@ -165,7 +165,7 @@ bool weighFurther(SessionSoFar& state, const WeighedCauses& causes, const Sighti
   return true;
 }
 
-/// Whether a form is certain, though the likeliest pair of other causes was weighed, too.
+/// Whether a form is certain, with the likeliest pair of other causes as an alternative.
 bool isFormCertain(const SessionSoFar& state, const WeighedCauses& causes) {
   const auto form = std::ranges::find(causes.all(), formId, &Weighed::cause);
   return form != causes.all().end() && isEvident(state) && isCertain({formId}, state.causes) &&

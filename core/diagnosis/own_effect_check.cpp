@@ -44,7 +44,7 @@ std::string sameAs(const Leftover& leftover, const MatrixXd& columns) {
   return same;
 }
 
-/// Evaluates all lines at the fitted arc angles of the rows.
+/// Counts all values of the lines at the fitted arc angles of the rows, and those that are not finite.
 void count(OwnEffectCheck& check, const Measurement& measurement, const SessionFit& fit,
            const OwnEntry& entry) {
   std::vector<OwnEntry> one{entry};

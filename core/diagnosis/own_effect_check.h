@@ -9,22 +9,22 @@
 
 namespace alidade {
 
-/// How visible an amplitude of the user's own effect is in a session: the length of the trace that the fit
-/// cannot absorb, in σ of the readings.
+/// How visible an amplitude of the user's own effect is in a session. Visibility is the length of the trace
+/// that the fit cannot absorb, in σ of the readings.
 struct OwnVisibility {
   std::string parameter;
   std::string unit;      ///< "mm" or "arcsec"
-  double perUnit = 0;    ///< σ per mm or arcsecond
-  double plausible = 0;  ///< σ of the plausible size
+  double perUnit = 0;    ///< trace of 1 mm or 1″, σ
+  double plausible = 0;  ///< trace of the plausible size, σ
 };
 
 /// The check of a user's own effect on a session, before it is used.
 struct OwnEffectCheck {
   std::vector<OwnVisibility> parameters = {};
   /// Identifier of the catalogued effect that the own effect repeats; empty: none. At some size it explains
-  /// the trace of the own effect at plausible size to less than 3 σ and 30 % of the visible length.
+  /// the trace of the own effect at plausible size, up to a rest below 3 σ and 30 % of its length.
   std::string sameAs = {};
-  std::size_t notFinite = 0;  ///< values of the formula on these readings that are not finite
+  std::size_t notFinite = 0;  ///< number of values of the formula that are not finite
   std::size_t values = 0;     ///< number of all values
   std::vector<OwnCurve> curves = {};
 
@@ -38,7 +38,7 @@ struct OwnEffectCheck {
 /// no fit. Takes a few milliseconds for a session of a hundred rows.
 std::optional<OwnEffectCheck> checkOwnEffect(const Measurement& measurement, const std::string& id);
 
-/// Checks an effect that is being typed, instead of the session's own ones. It must be valid.
+/// Checks an effect that is being typed, instead of the session's own ones. `effect` must be valid.
 std::optional<OwnEffectCheck> checkOwnEffect(Measurement measurement, const OwnEffect& effect);
 
 }  // namespace alidade

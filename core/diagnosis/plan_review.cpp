@@ -117,7 +117,7 @@ std::vector<Planned> effectsInQuestion(const std::vector<Planned>& effects) {
   return chosen;
 }
 
-/// `inQuestion` are the effects to clarify, `shown` what the measures show of them.
+/// Advice on `measures`. `inQuestion` are the effects to clarify, `shown` what the measures show of them.
 PlanAdvice adviceOf(const std::vector<Measure>& measures, const VisibleTerms& shown,
                     const std::vector<Planned>& inQuestion) {
   PlanAdvice advice{measures, {}, {}};

@@ -24,8 +24,8 @@ struct PlannedEffect {
   double leastVisible = 0, mostVisible = 0;
   /// Its look-alikes in the most visible direction.
   std::vector<LookAlike> lookAlikes;
-  /// Influence on Δd, mm, ≥ 0, in the direction of its numbers that changes Δd most, and the length of the
-  /// trace in that direction, σ; as in a diagnosis.
+  /// Influence on Δd, mm, ≥ 0, and length of the trace, σ. Both are, as in a diagnosis, in the direction of
+  /// the numbers that changes Δd most.
   double influence = 0, visibleThere = 0;
   bool undetectable = false;
 };
@@ -43,7 +43,7 @@ struct PlanReview {
   std::vector<PlanAdvice> advice;                    ///< the largest benefit first
   std::optional<IntersectionEstimate> intersection;  ///< Δd of the plan with the stated noise
   std::size_t readings = 0;                          ///< circle and slider readings
-  /// U of the planned measurement, then with the measures that reduce it most; empty without Δd.
+  /// U of the planned measurement, then U with the measures that reduce it most. Empty without Δd.
   std::vector<AttainableUncertainty> attainable = {};
 };
 

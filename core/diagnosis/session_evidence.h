@@ -23,15 +23,15 @@ namespace alidade {
 // effects in the model and of own effects that the session does not have are 0.
 
 /// One account of the session's own causes: none, gross errors, a jump, larger noise, or another cause. Its
-/// columns A with plausible weights are eliminated, so that they do not distort the evidence for a shared
+/// columns A, at their prior widths, are eliminated, so that they do not distort the evidence for a shared
 /// effect. This gives N − TᵀT and b − Tᵀt, where t are the components of r along the directions of T.
 struct OwnAccount {
   std::vector<std::string> causes = {};  ///< identifiers, larger noise not included; empty: no cause
   bool holdsPattern = false;  ///< contains a cause that affects many readings: an effect, a jump, a shape
   bool noisy = false;         ///< with noise larger than stated
   double noise = 1;           ///< scale of the noise
-  double logOdds = 0;         ///< prior and evidence against the empty account, natural logarithm
-  double chiSquare = 0;       ///< after the account, stated σ
+  double logOdds = 0;         ///< natural logarithm of prior odds × evidence, against the empty account
+  double chiSquare = 0;       ///< χ² after the account, with the stated σ
   std::vector<double> right = {};  ///< b after elimination
   std::size_t directions = 0;
   std::vector<double> taken = {};  ///< T, directions × columns, row by row
@@ -40,8 +40,8 @@ struct OwnAccount {
 struct SessionEvidence {
   std::shared_ptr<const SharedColumns> columns;
   std::vector<double> normal;        ///< N, indexed by `productAt`
-  std::vector<OwnAccount> accounts;  ///< the first is empty
-  double chiSquare = 0;              ///< of the leftover
+  std::vector<OwnAccount> accounts;  ///< the first has no cause
+  double chiSquare = 0;              ///< χ² of the leftover
   int degreesOfFreedom = 0;
   // Sums of the circle readings' leftover ε in arcseconds: Σ ε², and with the columns E in arcseconds Eᵀε and
   // EᵀE.

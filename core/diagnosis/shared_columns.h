@@ -11,7 +11,7 @@
 
 namespace alidade {
 
-/// The columns of one effect; if bent with second derivatives, (x, y, ½x², xy, ½y²).
+/// The columns of one effect. A bent one has second derivatives, too: weights (x, y, ½x², xy, ½y²).
 struct EffectColumns {
   const Effect* effect;
   std::size_t first, count;
@@ -24,8 +24,8 @@ struct EffectColumns {
 /// several of them have, then of the patterns (`session_patterns.h`). A weight of 1 is a plausible size.
 class SharedColumns {
  public:
-  /// `own`: the user's own effects of each session; null: none. Effects with equal id, formula and plausible
-  /// sizes are the same. They get at most 24 columns, the most frequent effects first.
+  /// `own` has the user's effects of each session; null: none. Effects with equal id, formula and plausible
+  /// sizes are the same. Own effects get at most 24 columns in all, the most frequent effects first.
   explicit SharedColumns(const std::vector<std::shared_ptr<const OwnEffects>>& own = {});
 
   const std::vector<EffectColumns>& all() const { return m_all; }
@@ -34,7 +34,7 @@ class SharedColumns {
   /// Number of columns of effects.
   std::size_t effectCount() const { return m_effectColumns; }
 
-  /// The columns of an effect in a session with these own effects; null without any.
+  /// The columns of an effect in a session with these own effects; null if there are none.
   const EffectColumns* of(std::string_view id, const OwnEffects* own) const;
 
   /// Returns the index of the product of two columns in `SessionEvidence::normal`. Each column has products
@@ -49,7 +49,7 @@ class SharedColumns {
 
   std::vector<EffectColumns> m_all;
   std::size_t m_effects = 0, m_effectColumns = 0;
-  std::vector<Start> m_starts;  ///< of each column
+  std::vector<Start> m_starts;  ///< start of each column
   std::vector<std::shared_ptr<const OwnEffects>> m_kept;
 
   void addOwn(const std::vector<std::shared_ptr<const OwnEffects>>& own);

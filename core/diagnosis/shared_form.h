@@ -15,8 +15,8 @@ bool isOfOneKind(const Form& a, const Form& b);
 bool agrees(const FoundForm& form, const FoundForm& other);
 
 /// Returns the weighted mean of each number of forms of one kind and order, none of them free. u includes
-/// Birge's ratio if they scatter more. The result has the look-alikes common to all; its shrinkage is NaN.
-/// Source: Birge, "The Calculation of Errors by the Method of Least Squares", Phys. Rev. 40 (1932).
+/// Birge's ratio if the numbers scatter more. The result has the look-alikes common to all; its shrinkage is
+/// NaN. Source: Birge, "The Calculation of Errors by the Method of Least Squares", Phys. Rev. 40 (1932).
 FoundForm meanOf(const std::vector<const FoundForm*>& forms);
 
 }  // namespace alidade

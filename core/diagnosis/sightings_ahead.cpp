@@ -27,7 +27,7 @@ Measurement after(const PossibleSighting& chosen, const Measurement& measurement
                                           sighting.round == next.round && sighting.face == next.face;
                                  });
   taken.elapsed = 1;
-  if (!next.turnsAxis) {  // `possible` refers directions to the first zero, `measurement` to its arc's
+  if (!next.turnsAxis) {  // `possible` refers directions to the first zero, `measurement` to that of the arc
     const ArcMeasurement& own = measurement.arcs[index];
     taken.a = taken.a - wrapped(own.zeroHorizontal - arc.zeroHorizontal);
     taken.e = taken.e - (own.zeroElevation - arc.zeroElevation);
@@ -77,7 +77,7 @@ class Path {
     }
   }
 
-  /// Turns the axis after as many sightings as `other`, and adds as many in total.
+  /// Turns the axis after as many sightings as in `other`, and adds as many sightings in total.
   void goOnLike(const SightingsAhead& other) {
     const auto turn = std::ranges::find_if(other.sightings, &NextSighting::turnsAxis);
     goOnTo(static_cast<std::size_t>(turn - other.sightings.begin()));

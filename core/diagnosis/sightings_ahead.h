@@ -28,10 +28,10 @@ inline constexpr std::size_t mostAhead = 150;
 
 /// The sightings that bring U of Δd to `uncertainty` (mm, > 0) in the fewest minutes, at the session's
 /// coverage. The position of the last reading comes first, then the other one; several divisions between them
-/// are tried. Each sighting is the one that reduces U most for its minutes. U does not depend on the values,
-/// so the planned readings are those of the arcs fitted so far. `measurement` has at least one sighting;
-/// `most` limits the planned sightings. The axis is turned at most once, if the plan allows it. Asked to
-/// stop, it returns early with what it has.
+/// are tried. Each sighting is the one that reduces U most for its minutes. U does not depend on the values
+/// of the readings, so the planned readings follow from the arcs fitted so far. `measurement` has at least
+/// one sighting; `most` limits the planned sightings. The axis is turned at most once, if the plan allows it.
+/// On a stop request, returns early with the sightings so far.
 SightingsAhead sightingsFor(double uncertainty, const Measurement& measurement, const SightingPlan& plan,
                             std::size_t most = mostAhead, const std::stop_token& stop = {});
 

@@ -20,9 +20,9 @@ struct Visibility {
   double nearest = 0;  ///< smallest distance to the trace of any other effect, look-alike or not, σ
 };
 
-/// Includes the closures between both positions, if present. `noiseless` contains the effect `held` only.
-/// Look-alikes are other catalogue effects, and a jump between a zero and the first visit. Fails if no arc
-/// can be fitted.
+/// The trace includes the closures between both positions, if present. `noiseless` contains the effect `held`
+/// only. Look-alikes are other catalogue effects, and a jump between a zero and the first visit. Fails if no
+/// arc can be fitted.
 Result<Visibility, NoModel> visibilityOf(const Measurement& noiseless, const std::string& held);
 /// Uses the residuals of the session's own model only.
 Result<Visibility, NoModel> visibilityInResiduals(const Measurement& noiseless, const std::string& held);

@@ -49,7 +49,7 @@ std::vector<ProtocolPlace> placesIn(const std::vector<KeyedRow>& rows) {
   return places;
 }
 
-/// A protocol's round for each round of the rows, in the faces of its first place.
+/// One protocol round for each round of the rows, in the faces of the first place of that round.
 std::vector<ProtocolRound> roundsIn(const std::vector<KeyedRow>& rows,
                                     const std::vector<ProtocolPlace>& places) {
   std::map<int, std::vector<KeyedRow>> byRound;
@@ -113,7 +113,7 @@ void addAgain(SightingProtocol& protocol, int axisDeg) {
   protocol.positions.push_back(again);
 }
 
-/// Adds places from 10° to 170° in steps of 10°, unless one is within half a step.
+/// Adds places from 10° to 170° in steps of 10°, except within half a step of an existing place.
 void addMoreOfTheArc(std::vector<ProtocolPlace>& places) {
   if (places.empty()) return;
   int point = 0;

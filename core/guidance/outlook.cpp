@@ -33,7 +33,7 @@ class Placement {
  public:
   Placement(Measurement& plan, const SessionFit& fit) : m_plan(plan), m_fit(fit) {}
 
-  /// The slider is at rest during a visit, so all its sightings are at the place of the first.
+  /// The slider is at rest during a visit, so all sightings of the visit are at the place of the first.
   void place(ArcMeasurement& arc, bool readsSlider) const {
     const Circle circle = circleOf(m_plan, m_fit, arc);
     const ZeroLine line(m_plan, arc);
@@ -106,8 +106,8 @@ class Expectation {
   explicit Expectation(const SessionFit& fit)
       : m_noise(fit.arcs.empty() ? NoiseScale{1, DegreesOfFreedom::infinite().count()} : fit.noise) {}
 
-  /// U of the existing readings becomes the stated one, and U of further readings changes in proportion. If
-  /// the stated U, measured, is larger than the planned one, the difference of the squares stays constant.
+  /// U of the existing readings becomes `stated`, and U of further readings changes in proportion. If the
+  /// stated U, measured, is larger than the planned one, the difference of the squares stays constant.
   void startFrom(ExpandedPair planned, const ExpandedPair& stated) {
     if (planned.ofFit > 0) m_ofFit = stated.ofFit / planned.ofFit;
     if (!planned.asMeasured || !stated.asMeasured) return;
@@ -126,23 +126,23 @@ class Expectation {
     return pair;
   }
 
-  /// A verdict never relies on scatter below the stated noise.
+  /// Ratio of noise to stated noise, at least 1: no verdict relies on scatter below the stated noise.
   double noise() const { return std::max(1.0, m_noise.factor); }
 
  private:
   NoiseScale m_noise;
-  double m_ofFit = 1, m_asMeasured = 1;  ///< of U, stated over planned
+  double m_ofFit = 1, m_asMeasured = 1;  ///< ratio of U, stated over planned
   double m_inQuadrature = 0;             ///< part of U, measured, that is added in quadrature, mm
 };
 
 /// Further rounds that are always considered: effects of time average out over both directions.
 constexpr int thereAndBack = 2;
 
-/// Factor that reduces the noise to show the remaining U. With a smaller one, the sizes of undetectable
+/// Factor that reduces the noise to show the remaining U. With a smaller factor, the sizes of undetectable
 /// effects differ too much from the others for a fit.
 constexpr double lessNoise = 0.1;
 
-/// The same places with less noise of circles and slider and unchanged zeros.
+/// The plan with less noise of circles and slider; the zeros keep their σ.
 Measurement withLessNoise(Measurement plan) {
   plan.sigmaHorizontal = plan.sigmaHorizontal * lessNoise;
   plan.sigmaVertical = plan.sigmaVertical * lessNoise;
@@ -216,7 +216,7 @@ std::optional<Measurement> carriedOut(const Measurement& measurement, const Sess
       for (const PlannedSighting& sighting : furtherRound(protocol, p, further)) planned.push_back(sighting);
 
   std::vector<SightingToCome> toCome;
-  for (const PlannedSighting& one : planned)  // for face 1; the other differs only by the face
+  for (const PlannedSighting& one : planned)  // readings in face 1; face 2 differs by its face only
     toCome.push_back({arcs->positions[one.protocolPosition], one.point, one.round, 1});
   const auto expected = expectedReadings(plan, fit, toCome, nominalPlaces(protocol, arcs->positions));
   const double down = plan.verticalCircle == VerticalCircle::Zenith ? 1 : -1;
@@ -234,7 +234,7 @@ std::optional<Measurement> carriedOut(const Measurement& measurement, const Sess
   const Placement placement(plan, fit);
   plan.rows = 0;
   for (ArcMeasurement& arc : plan.arcs) {
-    std::set<std::tuple<int, int, int>> there;  // an existing round beyond the protocol stays unchanged
+    std::set<std::tuple<int, int, int>> there;  // existing sightings come first; duplicates are removed
     std::erase_if(arc.sightings, [&](const Sighting& sighting) {
       return !there.emplace(sighting.point, sighting.round, sighting.face).second;
     });

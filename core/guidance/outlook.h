@@ -13,7 +13,7 @@
 
 namespace alidade {
 
-// The situation: part of a protocol has been sighted. What is U of Δd after the rest of it, and after one or
+// Part of a protocol has been sighted. What is U of Δd after the rest of the protocol, and after one or
 // several more rounds in every position (there and back in turn)? Which U does the verdict need, and which
 // number of rounds reaches it? Scatter between rounds decreases as 1/√n; errors common to all rounds stay.
 
@@ -30,35 +30,35 @@ struct RoundsAhead {
 };
 
 struct Outlook {
-  std::optional<ExpandedPair> now = {};  ///< of the existing readings; absent without both positions
-  /// First for the rest of the protocol, then for more and more rounds, as far as they matter. Empty if the
+  std::optional<ExpandedPair> now = {};  ///< U of the existing readings; absent without both positions
+  /// U after the rest of the protocol, then after more and more rounds, as far as they matter. Empty if the
   /// completed protocol yields no Δd.
   std::vector<RoundsAhead> ahead = {};
-  std::optional<ExpandedPair> limit = {};  ///< for infinitely many rounds: the part that more rounds cannot
-                                           ///< reduce
+  std::optional<ExpandedPair> limit = {};  ///< U for infinitely many rounds: the part that more rounds
+                                           ///< cannot reduce
   /// The U that a verdict needs, ||Δd| − tolerance|, mm, fit only and measured, and the resulting verdict:
   /// within the tolerance or beyond it. Absent without Δd or a tolerance of Δd.
   std::optional<ExpandedPair> needed = {};
   bool isWithin = true;
   bool isTorn = false;  ///< Δd, fit only, and Δd, measured, are on different sides of the tolerance
 
-  /// Is U small enough both for fit only and measured?
+  /// Whether U is small enough, fit only as well as measured.
   bool isEnough(const ExpandedPair& expanded) const;
-  /// The number of sufficient rounds beyond the protocol; absent if none of `ahead` suffices.
+  /// The least sufficient number of rounds beyond the protocol; absent if none of `ahead` suffices.
   std::optional<int> roundsNeeded() const;
   /// Alternatives if more rounds do not suffice (`attainableUncertainties`); the first has no further
   /// measure.
   std::vector<AttainableUncertainty> instead = {};
-  SessionEffort whole = {};  ///< of the complete protocol
+  SessionEffort whole = {};  ///< effort of the complete protocol
 };
 
 struct OutlookOptions {
-  int mostRounds = 8;       ///< limit of the tried rounds, ≥ 1; more than anyone adds
-  bool withInstead = true;  ///< takes as long as all the rest
+  int mostRounds = 8;       ///< largest number of further rounds tried, ≥ 1; two always are
+  bool withInstead = true;  ///< fills `Outlook::instead`, which takes as long as all the rest
 };
 
 /// `fit` and `diagnosis` are those of the measurement. If `diagnosis` is null, Δd, fit only, replaces Δd,
-/// measured. If asked to stop, it returns early with fewer results.
+/// measured. On a stop request, returns early with fewer results.
 Outlook outlookOf(const Measurement& measurement, const SessionFit& fit, const Diagnosis* diagnosis,
                   const SightingProtocol& protocol, const ProtocolProgress& progress,
                   const OutlookOptions& options = {}, const std::stop_token& stop = {});

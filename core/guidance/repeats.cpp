@@ -22,7 +22,7 @@ namespace alidade {
 
 namespace {
 
-constexpr double risk = 0.01;           // of naming anything in a sound session, for each kind
+constexpr double risk = 0.01;           // of naming anything in an error-free session, for each kind
 constexpr double madOfNormal = 0.6745;  // the median of |x| of a standard normal variable
 
 double medianOf(std::vector<double> values) {
@@ -35,17 +35,17 @@ double medianOf(std::vector<double> values) {
 /// A difference that should agree with the others, with its σ.
 struct Difference {
   std::vector<std::size_t> sightings;
-  double value = 0;  ///< σ
+  double value = 0;  ///< in units of `sigma`
   double sigma = 0;  ///< arcseconds
 };
 
-/// Differences from the median that exceed the noise, the larger of the stated one and the observed scatter.
+/// Differences from the median above the noise: the stated one, or the observed scatter if larger.
 std::vector<Repeat> farOnes(const std::vector<Difference>& differences, Repeat::Reason reason,
                             std::optional<ReadingKind> kind, bool aboutMedian) {
   if (differences.empty()) return {};
   std::vector<double> values;
   for (const Difference& difference : differences) values.push_back(difference.value);
-  // With fewer than three it is unclear which one is right.
+  // With fewer than three differences it is unclear which one is wrong.
   if (aboutMedian && values.size() < 3) return {};
   const double middle = aboutMedian ? medianOf(values) : 0;
   for (double& value : values) value = std::abs(value - middle);
@@ -84,7 +84,7 @@ class Comparison {
   }
 
  private:
-  /// Absent if it is not in the protocol.
+  /// Index of a row's sighting in the progress. Absent if the protocol lacks the row.
   std::optional<std::size_t> indexOf(std::size_t position, std::size_t row) const {
     const auto found = m_indices.find({position, row});
     return found == m_indices.end() ? std::nullopt : std::optional(found->second);
@@ -126,7 +126,7 @@ class Comparison {
   void faces() {
     if (!m_fitted.twoFaces) return;
     std::vector<Difference> horizontal, vertical;
-    // c as read is 2c(e), the difference of two readings; the index is half of their sum.
+    // 2c(e) is the difference of two horizontal readings, the index half the sum of two vertical ones.
     const double sigmaOfTwo = std::numbers::sqrt2 * m_fitted.measurement.sigmaHorizontal.arcseconds(),
                  sigmaOfIndex = m_fitted.measurement.sigmaVertical.arcseconds() / std::numbers::sqrt2;
     for (const FaceDifference& visit : m_fitted.twoFaces->visits) {
@@ -167,8 +167,8 @@ class Comparison {
     return offset;
   }
 
-  /// Compares the deviations across the arc only, as the slider returns only approximately; and only between
-  /// rounds in the same faces, since instrument errors would otherwise not cancel.
+  /// Compares the deviations across the arc only, since the slider returns only approximately along it. The
+  /// rounds must be in the same faces, so that instrument errors cancel.
   void ways() {
     std::vector<Difference> differences;
     for (const ArcMeasurement& arc : m_fitted.measurement.arcs) {

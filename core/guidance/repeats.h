@@ -24,7 +24,7 @@ struct Repeat {
 
   Reason reason = Reason::Misread;
   std::vector<std::size_t> sightings = {};  ///< indices into the progress; all of them are in question
-  std::optional<ReadingKind> kind = {};     ///< the circle; absent for `WaysDisagree`: across the arc
+  std::optional<ReadingKind> kind = {};     ///< the circle; absent for `WaysDisagree` (across the arc)
   double size = 0;                          ///< deviation, arcseconds; NaN if the typed text is not an angle
   double sigmas = 0;                        ///< deviation in σ
 };
@@ -37,8 +37,8 @@ struct FittedSession {
   const std::vector<Suspect>& suspects;
 };
 
-/// If misread sightings explain the other deviations, only they are named. Before a fit, only disagreeing
-/// faces are found.
+/// A disagreement of faces or rounds is omitted if one of its sightings is already named, for example as
+/// misread. Before a fit, only disagreeing faces are found.
 std::vector<Repeat> repeatsOf(const FittedSession& fitted, const ProtocolProgress& progress);
 
 }  // namespace alidade

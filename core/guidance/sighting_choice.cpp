@@ -30,8 +30,8 @@ class Remaining {
     if (m_isTurned && !isOtherAxis(*begun)) m_here.reset();
   }
 
-  /// False if the protocol lacks the position of the last reading, or another position at the same axis was
-  /// begun after it.
+  /// False if the protocol lacks the position of the last reading, or if another position at the same axis
+  /// angle was begun after that position.
   bool isKnown() const { return m_here.has_value(); }
   std::size_t here() const { return *m_here; }  ///< index into the protocol's positions
   bool isTurned() const { return m_isTurned; }  ///< the other position has a zero, and no reading yet
@@ -50,8 +50,8 @@ class Remaining {
     });
   }
 
-  /// Does the current position lack a zero before its readings? Once it has readings, that in face 1 is
-  /// enough.
+  /// Whether the current position lacks a zero before its readings. Once it has readings, the zero in face 1
+  /// suffices.
   bool lacksZero() const {
     const Index missing = zero(m_isTurned ? *m_other : *m_here, false);
     return missing && (m_isTurned || all()[*missing].planned.face == 1);
@@ -63,7 +63,7 @@ class Remaining {
     });
   }
 
-  /// Index of a sighting that could be next; absent if the protocol has none left at its place and face.
+  /// Index of a possible sighting or of the zero due before it; absent if none is left at its place and face.
   Index indexOf(const NextSighting& next) const {
     if (!next.turnsAxis) return m_isTurned ? Index() : place(*m_here, next.point, next.face);
     if (!m_other || !place(*m_other, next.point, next.face)) return {};
@@ -76,7 +76,7 @@ class Remaining {
  private:
   const SightingProtocol& m_protocol;
   const ProtocolProgress& m_progress;
-  Index m_here, m_other;  ///< the position of the last reading, and the next at the other axis
+  Index m_here, m_other;  ///< the position of the last reading, and the next at the other axis angle
   bool m_isTurned = false;
 
   const std::vector<FollowedSighting>& all() const { return m_progress.sightings; }
@@ -91,7 +91,7 @@ class Remaining {
 };
 
 /// Changes the choice to the first place of the last position once more, then to its closing zero, until both
-/// are there.
+/// have been sighted.
 void close(SightingChoice& choice, const Remaining& left, const ArcMeasurement& arc) {
   const Sighting& first = arc.sightings.front();
   const auto isAgain = [&](const Sighting& sighting) {

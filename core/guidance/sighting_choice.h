@@ -20,24 +20,24 @@ struct SightingChoice {
     ClosingZero,  ///< the pointing zero after the readings, for the same purpose
   };
 
-  std::size_t next = 0;  ///< index into the progress; for a turn of the axis, its first zero
+  std::size_t next = 0;  ///< index into the progress; if the axis turns, of the new zero
   Reason reason = Reason::MostInformative;
-  NextSighting worth;                          ///< of the next one; meaningful only for `MostInformative`
-  std::vector<std::size_t> alternatives = {};  ///< of nearly the same worth, at most two
+  NextSighting worth;  ///< of the next sighting; meaningful only for `MostInformative`
+  std::vector<std::size_t> alternatives = {};  ///< indices of nearly as valuable sightings, at most two
   SessionSoFar soFar;
 };
 
-/// Most sightings in a session that choices are made for: the time of a choice grows with their square.
+/// Most sightings of a session for which choices are made. The time of a choice grows with their square.
 inline constexpr std::size_t mostForChoice = 400;
 
 /// Chooses among the sightings left in the position of the last reading and in the next position at the other
-/// axis. If that next position already has a zero, only its sightings remain. Place and face are chosen; the
-/// round is the first one left. Absent before the first reading, above `mostForChoice`, while the pointing
-/// zero is missing, and if no sighting is left: then the order of the protocol holds.
+/// axis angle. If that next position already has a zero, only its sightings remain. Place and face are
+/// chosen; the round is the first one left. Absent before the first reading, above `mostForChoice`, while the
+/// pointing zero is missing, and if no sighting is left: then the order of the protocol holds.
 std::optional<SightingChoice> chooseSighting(const Measurement& measurement, const SightingProtocol& protocol,
                                              const ProtocolProgress& progress);
 
-/// In a protocol by worth, chooses and lets the progress lead to the choice; absent in another protocol.
+/// In a protocol by worth, chooses and lets `progress` point to the choice. Absent in another protocol.
 std::optional<SightingChoice> followChoice(const Session& session, const Measurement& measurement,
                                            const SightingProtocol& protocol, ProtocolProgress& progress);
 

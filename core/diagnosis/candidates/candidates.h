@@ -24,7 +24,7 @@ struct PriorOdds {
 
 /// States how many components of one kind the search may add to a set.
 struct Offer {
-  std::size_t offered = 0;  ///< the number of best components offered; 0: all
+  std::size_t offered = 0;  ///< number of components offered, those of largest gain; 0: all
   bool oneAtMost = false;   ///< a set holds at most one component of the kinds with this flag
 };
 
@@ -65,7 +65,7 @@ class Candidates {
   struct Block {
     virtual ~Block() = default;
     virtual const Component& operator[](std::size_t i) const = 0;
-    /// Returns the number of columns.
+    /// Fills the first entries of `rest`. Returns how many they are.
     virtual Eigen::Index fillProducts(const SharedProducts& with, Eigen::Ref<Eigen::VectorXd> rest) const = 0;
   };
   template <typename Kind>

@@ -6,8 +6,8 @@
 
 namespace alidade {
 
-// Functions over the cells of a carrier (pattern.h). Many patterns share them, so copies share their data and
-// compute their values piece by piece.
+// Functions over the cells of a carrier (pattern.h). Copies share their data, since many patterns use the
+// same functions. The values are computed piece by piece.
 class CellFunctions {
  public:
   /// `functions` is cells × functions, in single precision: no pattern is known more precisely.

@@ -7,8 +7,6 @@
 
 namespace alidade {
 
-// Groups of consecutive readings with a common property.
-
 /// A cell is a run of consecutive readings with the same property. Cells are numbered from 0 in the order of
 /// the readings.
 struct Cells {

@@ -30,7 +30,7 @@ class Component {
  public:
   virtual ~Component() = default;
 
-  /// Identifier of the cause, or what a pattern follows; static text.
+  /// Identifier of the cause, or the argument that a pattern follows; static text.
   virtual std::string_view id() const = 0;
   virtual ErrorSource source() const = 0;
   virtual Response response() const { return Response::Linear; }
@@ -43,11 +43,11 @@ class Component {
   /// Whether the size is known and in the model. The component then means that the known value is out of
   /// date.
   virtual bool isKnown() const { return false; }
-  /// 1σ of each weight, in plausible sizes, from prior knowledge.
+  /// Prior σ of each weight, in plausible sizes.
   virtual Eigen::VectorXd usualSizes() const { return Eigen::VectorXd::Ones(weights()); }
-  /// Whether this is a jump of the orientation. A session contains at most one.
+  /// Whether this is a jump of the orientation. An explanation contains at most one.
   virtual bool isJump() const { return false; }
-  /// The arc that a jump between its zero and its first visit moves as a whole.
+  /// Index of the arc that moves as a whole if the jump lies between its zero and its first visit.
   virtual std::optional<std::size_t> slippedArc() const { return std::nullopt; }
   /// Whether this is a jump of either kind. A jump has a moment, which the terms of a model lack.
   bool stepsOrientation() const { return isJump() || slippedArc().has_value(); }
@@ -88,8 +88,8 @@ class Component {
   virtual Gain gain(const TurnedColumns& columns, double variance) const;
   LinearPart linearPart(const TurnedColumns& columns, double variance) const;
 
-  /// Prior width, in plausible sizes, for the fit of weights found with the most likely `width`. Weights
-  /// beyond the plausible size must not count as a misfit of the readings.
+  /// Prior width for a fit with the component, in plausible sizes. `weights` were found with the most likely
+  /// `width`. Weights beyond the plausible size must not count as a misfit of the readings.
   virtual double widthOfFit(double width, const Eigen::VectorXd& weights) const;
 
   /// Adds the terms of the component to a model. `weights` are the start values; `width` is the prior width;

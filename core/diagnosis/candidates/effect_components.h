@@ -52,7 +52,7 @@ class EffectComponent final : public Component {
 /// Prior widths for effects from much smaller to much larger than their plausible size.
 const std::vector<Width>& effectWidths();
 
-/// Returns the effects of catalogue and user except those in `leftOut`, all linear.
+/// Returns the sought effects of catalogue and user except those in `leftOut`; bent ones count as linear.
 std::vector<EffectComponent> effectComponents(const Leftover& leftover,
                                               const std::vector<std::string>& leftOut,
                                               const Measurement& measurement = {});

@@ -6,8 +6,8 @@
 
 namespace alidade {
 
-/// A gross error of one reading; the weight is in σ of the reading. The class is small because every reading
-/// has one.
+/// A gross error of one reading; the weight is in σ of the reading. The class is small because there is one
+/// object for every reading.
 class GrossErrorComponent final : public Component {
  public:
   /// `reading` is an index into the leftover's readings.
@@ -38,7 +38,7 @@ class GrossErrorComponent final : public Component {
 const std::vector<Width>& grossErrorWidths();
 
 /// Returns one component for every reading, in order. The component of a zero's reading has redundancy 0 and
-/// is never chosen: a misread zero is a jump of its position.
+/// is never chosen: a misread zero acts as a jump of its position.
 std::vector<GrossErrorComponent> grossErrorComponents(const Leftover& leftover);
 
 }  // namespace alidade

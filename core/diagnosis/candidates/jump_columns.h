@@ -8,8 +8,8 @@
 
 namespace alidade {
 
-// Jumps of the orientation before any of many rows. A jump acts on all readings from its row to the end of
-// the session, or to the next sighting of a zero. Its inner products are therefore partial sums. All moments
+// Jumps of the orientation at many moments. A jump acts on all readings from its row to the end of the
+// session, or to the next sighting of a zero. Its inner products are therefore partial sums. All moments
 // together cost little more than one, and no columns are stored.
 class JumpColumns {
  public:
@@ -25,8 +25,8 @@ class JumpColumns {
   const std::vector<JumpMoment>& moments() const { return m_moments; }
 
  private:
-  Eigen::VectorXd m_horizontal, m_vertical;  ///< column of a jump before every row
-  std::vector<Eigen::Index> m_last;          ///< the last moment that acts on each reading; −1: none
+  Eigen::VectorXd m_horizontal, m_vertical;  ///< columns of a jump that acts on all rows
+  std::vector<Eigen::Index> m_last;          ///< index of the last moment acting on each reading; −1: none
   std::vector<JumpMoment> m_moments;
 
   /// Whether the previous moment acts on all readings on which this one acts.

@@ -52,13 +52,14 @@ void JumpComponent::fillProducts(const SharedProducts& with, Eigen::Ref<VectorXd
 
 /// The far wider width counts only if the usual ones detect a jump; they detect one of any size.
 Gain JumpComponent::gain(const TurnedColumns& columns, double variance) const {
-  constexpr double shows = 10;  // natural logarithm
+  constexpr double shows = 10;  // ln Bayes factor of a detected jump
   const Gain usual = Component::gain(columns, variance);
   return usual.log > shows ? gainOf(usualAndFarWiderJumpWidths(), columns, variance) : usual;
 }
 
 /// The visible part of a jump indicates its size, and thereby the prior width of its invisible part. The
-/// result is the root mean square of the widths, each weighted by the likelihood of the larger step.
+/// result is the rms of the widths, weighted by the likelihood of the larger weight, but at least this
+/// weight.
 double JumpComponent::widthOfFit(double, const VectorXd& weights) const {
   const double seen = weights.cwiseAbs().maxCoeff();
   double square = 0, all = 0;

@@ -16,7 +16,7 @@ inline constexpr double plausibleJump = 60.0 / 3600 * std::numbers::pi / 180;
 /// A jump of both circles' orientation before a row.
 class JumpComponent final : public Component {
  public:
-  /// `columns` hold many moments; this is number `index`. `gram` is the Gram matrix of its visible columns.
+  /// The jump has the moment number `index` of `columns`. `gram` is the Gram matrix of its visible columns.
   JumpComponent(std::shared_ptr<const JumpColumns> columns, std::size_t index, Eigen::Matrix2d gram,
                 std::optional<std::size_t> onlyRow);
 
@@ -56,17 +56,18 @@ const std::vector<Width>& usualAndFarWiderJumpWidths();
 /// Returns the jumps before any row, or before the zero of a position after the first. In long sessions only
 /// every n-th row counts.
 ///
-/// If the positions are compared (`Linearised::isClosed`), a jump may last to the end of the session. In all
-/// positions but the last it may also end with its position, when the circle is set again on the mark. Jumps
-/// before the first row of a position belong to `zeroSlips`.
+/// A jump may last to the end of the session. If the positions are compared (`Linearised::isClosed`), a jump
+/// in any position but the last may also end with its position, when the circle is set again on the mark.
+/// Jumps before the first row of a position then belong to `zeroSlips`.
 ///
-/// A jump that only a single row, alone in its visit, would show leaves the trace of a gross error of that
-/// row. The gross error is more frequent, so the jump serves for comparison only.
+/// Some jumps would show in a single row only, which is alone in its visit. A gross error of that row leaves
+/// the same trace and is more frequent, so these jumps serve for comparison only.
 std::vector<JumpComponent> jumpComponents(const Leftover& leftover);
 
-/// Returns the jumps between the pointing zero of a position and its first visit, lasting or ending with the
-/// position. A misread zero or a moved mark has the same trace. Empty unless the positions are compared:
-/// otherwise nothing would show these jumps.
+/// Returns the jumps between the pointing zero of a position and its first visit. They end with the position
+/// or last to the end of the session. With a common zero mark, a jump may also act on the zero alone. A
+/// misread zero or a moved mark has the same trace. Empty unless the positions are compared: otherwise
+/// nothing would show these jumps.
 std::vector<JumpComponent> zeroSlips(const Leftover& leftover);
 
 }  // namespace alidade

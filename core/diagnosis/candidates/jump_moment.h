@@ -9,7 +9,7 @@ struct JumpMoment {
   static constexpr std::size_t never = static_cast<std::size_t>(-1);
 
   std::size_t first = 0;    ///< the first row after the jump
-  std::size_t end = never;  ///< the first row on which it no longer acts, after a new sighting of its zero
+  std::size_t end = never;  ///< the first row on which the jump no longer acts; `never`: none
 
   bool operator==(const JumpMoment&) const = default;
   bool actsOn(std::size_t row) const { return row >= first && row < end; }

@@ -121,7 +121,7 @@ MatrixXd Carrier::visibleGramOfGroups(const Leftover& leftover, const std::vecto
   return visiblePart(std::move(gram), taken);
 }
 
-/// Works in pieces: one group for every visit would fill the memory.
+/// Works in pieces: a matrix of visits × groups would fill the memory.
 void Carrier::takeOffAlongVisits(const Leftover& leftover, MatrixXd& gram,
                                  const std::vector<Index>& groups) const {
   constexpr Index pieceLength = 4096;  // visits
@@ -189,7 +189,7 @@ MatrixXd Pattern::visibleGram(const Leftover& leftover) const {
       parts.size() == 1 ? parts.front().carrier->squaresOutsideArcAngles(leftover) : VectorXd();
   const bool isOfVisits = outside.size() > 0;
   struct Product {
-    Index columns;  // columns of the first of two parts
+    Index columns;  // number of columns of the first of two parts
     VectorXd sums;
   };
   std::vector<Product> products;

@@ -11,11 +11,11 @@
 
 namespace alidade {
 
-// Patterns that readings may follow. A pattern is a function of a common property, such as the visit or the
-// moment, times the effect of one unit on each reading. Readings with the same function values form a cell;
-// all sums run over cells.
+// Patterns that readings may follow. A pattern is a function of an argument, such as the visit or the time,
+// times a carrier. The carrier is the change of each reading by one unit, in σ. Readings with the same
+// function values form a cell; all sums run over cells.
 
-/// The effect of one unit on each reading, and the cells of the readings.
+/// The change of each reading by one unit, in σ, and the cells of the readings.
 class Carrier {
  public:
   /// `values` are stored in single precision: no pattern is known more precisely. Each cell lies within one
@@ -27,14 +27,14 @@ class Carrier {
   Eigen::Index moved() const { return static_cast<Eigen::Index>(m_moved.size()); }
   /// Sum of the squared values of each cell.
   const Eigen::VectorXd& squares() const { return m_squares; }
-  /// The same sums without the part along the arc angles, if every visit has one cell only; otherwise empty.
+  /// The same sums without the part that the arc angles absorb. Empty unless every visit is one cell.
   Eigen::VectorXd squaresOutsideArcAngles(const Leftover& leftover) const;
   /// Sum over each cell of the values times a vector over the readings.
   Eigen::VectorXd gathered(const Eigen::VectorXd& overReadings) const;
   /// Values times a number for each cell, over the readings.
   Eigen::VectorXd spread(const Eigen::VectorXd& overCells) const;
   /// Sums of functions over each visit, projected on its arc angle. `functions` (cells × functions) belong to
-  /// the cells from `first` on, which begin and end with a visit.
+  /// the cells from `first` on, which make up whole visits.
   Eigen::MatrixXd alongVisits(const Leftover& leftover, Eigen::Index first,
                               const Eigen::MatrixXd& functions) const;
   /// Inner products of functions of the cells from `first` on with the basis of the unknowns: unknowns ×
@@ -78,14 +78,14 @@ struct Pattern {
   Eigen::Index columns() const;
   /// Product of the columns and the weights, over the readings.
   Eigen::VectorXd times(const Eigen::VectorXd& weights) const;
-  /// Scales the columns so that a weight of 1 changes the affected readings by 1σ on average. Returns the
-  /// factor; 0 if no reading is affected.
+  /// Scales the columns so that weights of variance 1 change the affected readings by 1σ (root mean square).
+  /// Returns the factor; 0 if no reading is affected.
   double normalise();
   /// Gram matrix of the visible parts of the columns.
   Eigen::MatrixXd visibleGram(const Leftover& leftover) const;
 
  private:
-  /// Functions of some cells, side by side.
+  /// The functions of all parts, side by side, in `length` cells from `firstCell` on.
   Eigen::MatrixXd piece(Eigen::Index firstCell, Eigen::Index length) const;
 };
 

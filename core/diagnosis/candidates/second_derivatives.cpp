@@ -25,7 +25,7 @@ constexpr std::array<Node, 4> nodes{
 using Targets = std::array<SpacePoint<double>, nodes.size()>;
 using Differences = std::array<Direction<double>, 3>;
 
-/// The forward model of one session, with a guideway of the effect's sizes at each node.
+/// The forward model of one session, with one guideway for each node, changed by the effect of that node.
 class BentGuideway {
  public:
   BentGuideway(const GapModel& model, const Effect& effect) : m_model(model) {

@@ -23,15 +23,15 @@ enum class Along {
   Horizontal,
   Vertical,         ///< 5″ of the face-1 equivalents, like `Horizontal`
   Both,             ///< both circles, with separate weights
-  HorizontalFaces,  ///< with the opposite sign in face 2
+  HorizontalFaces,  ///< like `Horizontal`, with the opposite sign in face 2
   VerticalFaces,
   HorizontalCircle,  ///< 5″ of the readings of either face
   VerticalCircle,
 };
 enum class Of { Guideway, Time, Azimuth, Elevation, Circle, Leg };
 enum class Course {
-  Harmonic,  ///< cosine and sine of this many periods in a turn
-  Smooth,    ///< this many half waves; shorter ones have smaller amplitudes
+  Harmonic,  ///< cosine and sine of `Recipe::number` periods in a turn
+  Smooth,    ///< `Recipe::number` half waves; shorter ones have smaller amplitudes
   Settling,  ///< fast, medium and slow decay
   WayBack,   ///< 1 in even rounds, 0 in odd ones
 };
@@ -195,7 +195,7 @@ class Readings {
     return seconds * m_vertical.cwiseProduct(face);
   }
 
-  /// Returns cosine and sine of `number` periods of the circle reading, less those of the pointing zero read
+  /// Returns cosine and sine of `number` periods of the circle reading, minus those of the pointing zero read
   /// in face 1. In face 2 the vertical circle counts in the opposite direction.
   MatrixXd circleFunctions(const Recipe& recipe) const {
     const bool isHorizontal = recipe.along == Along::HorizontalCircle,

@@ -73,9 +73,9 @@ class Surroundings {
 
  public:
   SharedCells visits, rows;
-  VectorXd s;        ///< of each visit
-  VectorXd elapsed;  ///< of each row
-  VectorXd a, e;     ///< of each row, adjusted
+  VectorXd s;        ///< slider coordinate of each visit, rad
+  VectorXd elapsed;  ///< share of the session elapsed at each row, 0…1
+  VectorXd a, e;     ///< adjusted direction of each row, rad
 
   const ArcMeasurement& arcOf(Index reading) const { return m_measurement.arcs[at(reading).arc]; }
   const Sighting& rowOf(Index reading) const { return arcOf(reading).sightings[at(reading).sighting]; }
@@ -150,12 +150,12 @@ class ShapeMaker {
   /// Sets the source of the patterns added from here on.
   void startSource(ErrorSource source) { m_source = source; }
 
-  /// Adds functions of the common property of the carrier's cells.
+  /// Adds the pattern of one carrier and its functions.
   void add(std::string_view id, const SharedCarrier& carrier, const CellFunctions& functions) {
     add(id, Pattern{{{carrier, functions}}});
   }
 
-  /// Adds a function with a separate value for each group.
+  /// Adds a pattern with a separate value for each group, if there are 2 to `mostGroups` groups.
   template <typename Group>
   void addGroups(std::string_view id, const SharedCarrier& carrier, const SharedCells& cells,
                  const Group& groupOf) {
@@ -217,7 +217,7 @@ class ShapeMaker {
     add(id, std::move(pattern), std::move(gram));
   }
 
-  /// `gram` belongs to the pattern before scaling.
+  /// Adds a pattern and scales it. `gram` belongs to the pattern before scaling.
   void add(std::string_view id, Pattern pattern, MatrixXd gram) {
     const double factor = pattern.normalise();
     gram *= factor * factor;

@@ -12,7 +12,7 @@ namespace alidade {
 /// components. Not thread-safe.
 class SharedProducts {
  public:
-  /// `vector` has `rows()` or `readings()` of the leftover. Both must outlive this object.
+  /// `vector` has `rows()` or `readings()` entries. Vector and leftover must outlive this object.
   SharedProducts(const Leftover& leftover, const Eigen::VectorXd& vector)
       : m_leftover(leftover), m_vector(vector) {}
   SharedProducts(const SharedProducts&) = delete;

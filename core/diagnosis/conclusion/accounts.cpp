@@ -39,8 +39,8 @@ std::vector<EstimatedTerm> allOrNothingTerms(const GapModel& at) {
   return terms;
 }
 
-/// The equations of the base, linearised at another fit. The contribution of the effects there is added back
-/// to the residuals.
+/// The leftover of the base's equations, linearised at the fit `at`. The contribution of the effects in `at`
+/// is added back to the residuals.
 Leftover leftoverAt(const GapModel& base, const GapModel& at, const std::vector<EstimatedTerm>& effects) {
   const auto indexIn = [](const JointFit& fit, ErrorTerm term) {
     return fit.indexOf({.kind = Unknown::Kind::Error, .arc = 0, .term = term});
@@ -74,7 +74,7 @@ double logDeterminant(const Eigen::LDLT<MatrixXd>& factor) {
 struct Accounts::System {
   const Explanation* explanation = nullptr;
   std::vector<const Columns*> own = {};
-  Eigen::LDLT<MatrixXd> factor = {};  ///< of the own columns with their widths
+  Eigen::LDLT<MatrixXd> factor = {};  ///< factor of the own columns' normal matrix
   VectorXd narrow = {};               ///< 1/width² of the own weights; 0 for an excluded reading
   VectorXd right = {}, influence = {};
   MatrixXd withEffects = {};  ///< effects × own
@@ -105,7 +105,7 @@ void Accounts::alsoAt(const GapModel& at, const Explanation& explanation, const 
   const std::optional<System> system = own->systemOf(explanation);
   if (!system) return;
   own->m_start = estimate->value - own->accountOf(*system, scales).value;
-  // The fit without large causes is far from `at`: the shift makes its linear equations agree with `at`.
+  // A base without large causes is far from `at`. This shift makes its Δd agree with that of `at`.
   if (const std::optional<System> here = systemOf(explanation))
     m_start += estimate->value - accountOf(*here, scales).value;
   m_at = std::move(own);
@@ -156,7 +156,7 @@ const Accounts::Columns& Accounts::columnsOf(const Part& part) {
   Columns& columns = entry->second;
   if (!isNew) return columns;
   const Component& component = m_inquiry.of(part);
-  // In a large session all columns of a pattern would fill the memory: the pattern keeps its weights.
+  // All columns of a pattern would fill the memory in a large session: their weighted sum replaces them.
   const bool asFound = component.isShape() && isLarge(*m_inquiry.base.measurement);
   columns.whole = asFound ? MatrixXd(component.times(m_inquiry.leftover, part.weights))
                           : component.wholeColumns(m_inquiry.leftover);
@@ -285,7 +285,7 @@ std::vector<Account> Accounts::of(const Explanation& explanation) {
   const std::optional<System> system = systemOf(explanation);
   const std::optional<System> there = m_at ? m_at->systemOf(explanation) : std::nullopt;
   if (!system && !there) return {};
-  // The posterior odds of the search are those of the explanation alone, over all of its widths.
+  // The posterior odds of the search hold without effects: the evidence of an account replaces `alone`.
   const double alone = (system ? accountOf(*system, noEffect) : m_at->accountOf(*there, noEffect)).logOdds;
   // Uses the linearisation that makes the explanation likelier, with effects of plausible size.
   const bool isThere =

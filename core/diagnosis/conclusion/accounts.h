@@ -25,9 +25,9 @@ namespace alidade {
 /// An explanation together with every effect, whose prior widths are `scales` plausible sizes.
 struct Account {
   EffectScales scales;
-  double logOdds = 0;   ///< prior and evidence, relative to no cause and no effect; natural logarithm
-  double value = 0;     ///< of Δd, mm
-  double variance = 0;  ///< of Δd, mm²; includes readings (scaled by the leftover) and widths, not zeros
+  double logOdds = 0;   ///< natural logarithm of prior odds × evidence, relative to no cause and no effect
+  double value = 0;     ///< Δd, mm
+  double variance = 0;  ///< variance of Δd, mm²: readings (scaled by the leftover) and widths, not zeros
   /// The part of the variance due to the weights of explanation and effects, at the noise of the explanation.
   double ofWeights = 0;
   std::vector<double> ofEffects = {};  ///< variance from the prior of each effect, mm²
@@ -37,9 +37,9 @@ class Accounts {
  public:
   /// Linearises at the inquiry's base.
   explicit Accounts(const Inquiry& inquiry);
-  /// Linearises also at `at`, a fit of the base with `explanation` and every effect of these widths. Each
+  /// Linearises also at `at`, a fit of the base with `explanation` and every effect at `scales`. Each
   /// explanation then uses the linearisation that makes it likelier, with Δd shifted to agree with that fit.
-  /// Does nothing for a large session, or if `at` has no result.
+  /// Does nothing for a large session, or if `at` has larger noise or no Δd.
   void alsoAt(const GapModel& at, const Explanation& explanation, const EffectScales& scales);
 
   /// The terms of the effects, in the order of `Account::ofEffects`.
@@ -47,7 +47,7 @@ class Accounts {
   /// One account for each of `possibleScales`, with its probability. Empty if the all-or-nothing effects of
   /// the explanation differ from those in the fit.
   std::vector<Account> of(const Explanation& explanation);
-  /// The account with given scales, taken as certain.
+  /// The account with these scales; their prior probability does not count.
   std::optional<Account> of(const Explanation& explanation, const EffectScales& scales);
   /// Log evidence (natural) for one more component of an explanation, at its plausible size and without
   /// further effects.
@@ -67,13 +67,13 @@ class Accounts {
   const Inquiry& m_inquiry;
   std::optional<Leftover> m_own;          ///< leftover at another fit; absent: use that of the inquiry
   std::shared_ptr<Accounts> m_at;         ///< the second linearisation; null: none
-  std::vector<ErrorTerm> m_allOrNothing;  ///< all-or-nothing effects in that fit
+  std::vector<ErrorTerm> m_allOrNothing;  ///< all-or-nothing terms in the fit of `m_own`
   double m_start = 0;                     ///< Δd without causes and effects, mm
   Eigen::VectorXd m_perReading;           ///< ∂Δd/∂reading, mm per σ
   double m_ofReadings = 0;                ///< variance of Δd by the readings alone, mm²
-  std::vector<EstimatedTerm> m_terms;     ///< of the effects, at their plausible sizes
-  std::vector<const Effect*> m_effects;   ///< of each term
-  Eigen::MatrixXd m_gram;                 ///< of their visible columns for plausible sizes
+  std::vector<EstimatedTerm> m_terms;     ///< terms of the effects, at their plausible sizes
+  std::vector<const Effect*> m_effects;   ///< effect of each term
+  Eigen::MatrixXd m_gram;                 ///< Gram matrix of the visible columns of `m_terms`
   Eigen::VectorXd m_right, m_influence;
   std::map<std::size_t, Columns> m_columns;
 

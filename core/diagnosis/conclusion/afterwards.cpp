@@ -18,14 +18,14 @@ namespace alidade {
 
 namespace {
 
-constexpr double leastOdds = 1e-3;  // of a look-alike
+constexpr double leastOdds = 1e-3;  // least odds of a look-alike that counts
 
 struct Alternative {
   Explanation explanation;
   Possible possible;
 };
 
-/// The change of a model's Δd by a pattern; zeros that the model does not sight contribute nothing.
+/// The change of a model's Δd by a pattern; zeros that are not readings of the model contribute nothing.
 double movedBy(const GapModel& model, const Inquiry& inquiry, const Part& pattern) {
   using Place = std::tuple<std::size_t, std::size_t, ReadingKind>;
   const Eigen::VectorXd influence = influencePerSigma(model),
@@ -70,7 +70,7 @@ class Average {
     }
   }
 
-  /// `ofPattern`: the change of Δd by the pattern of the answer.
+  /// `ofPattern` is the change of Δd by the pattern of the answer, mm.
   IntersectionEstimate estimate(double ofPattern) const {
     std::vector<Possible> all;
     for (const Alternative& alternative : m_alternatives) {
@@ -123,8 +123,8 @@ class Average {
 
 IntersectionEstimate averagedOver(const IntersectionEstimate& own, const std::vector<Possible>& all,
                                   double coverage) {
-  constexpr double hardly = 0.01;         // of U
-  constexpr double leastVariance = 1e-6;  // of the own variance, against rounding
+  constexpr double hardly = 0.01;         // share of U
+  constexpr double leastVariance = 1e-6;  // share of the own variance, against rounding
   const double factor = own.expanded / own.sigma, wider = factor / normalQuantile((1 + coverage) / 2);
   std::vector<NormalPart> mixture;
   for (const Possible& possible : all) {
@@ -132,7 +132,7 @@ IntersectionEstimate averagedOver(const IntersectionEstimate& own, const std::ve
     mixture.push_back(
         {possible.odds, possible.value, std::sqrt(std::max(variance, leastVariance * square(own.sigma)))});
   }
-  constexpr double grain = 0.05;  // σ
+  constexpr double grain = 0.05;  // distance of joined parts, σ
   const auto [mean, sigma] = momentsOf(mixture);
   mixture = joined(mixture, grain * sigma);
   std::vector<NormalPart> accounts = mixture;

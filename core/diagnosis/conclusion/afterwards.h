@@ -20,16 +20,16 @@ struct Possible {
   double value = 0, variance = 0;  ///< of Δd, minus those of the estimate: mm, mm²
 };
 
-/// `own` averaged over alternatives, which include its own explanation; `own` unchanged if they do not
-/// matter.
+/// Averages `own` over alternatives, which include its own explanation. Returns `own` unchanged if they
+/// hardly change it.
 IntersectionEstimate averagedOver(const IntersectionEstimate& own, const std::vector<Possible>& all,
                                   double coverage);
 
-/// `own` with this additional variance, mm², if it is positive.
+/// `own` with `variance` added, mm², if it is positive.
 IntersectionEstimate widerBy(IntersectionEstimate own, double variance);
 
-/// An explanation, then every variant of it in which parts are replaced by their rivals in the answer. Each
-/// has its own odds.
+/// An explanation, then its variants in which rivals of the answer with odds ≥ 10⁻³ replace parts. Each has
+/// its own odds.
 std::vector<Explanation> withRivals(const Answer& answer, const Explanation& explanation);
 
 /// The inquiry's explanation from which an answer was made; null if there is none.

@@ -65,7 +65,7 @@ GapModel modelWith(const Inquiry& inquiry, const Explanation& explanation) {
   return alidade::modelWith(inquiry.base, explanation, inquiry.candidates, inquiry.leftover);
 }
 
-/// `closed`: the inquiry's model with the explanation in it.
+/// Returns the model whose Δd is reported. `closed` is the inquiry's model with the explanation in it.
 GapModel measuredModel(const Inquiry& inquiry, const Explanation& explanation, const GapModel& closed) {
   const auto isReading = [&](const Part& part) { return inquiry.of(part).grossErrorAt().has_value(); };
   if (!closed.options.isClosed || !std::ranges::all_of(explanation.parts, isReading)) return closed;

@@ -24,29 +24,29 @@ struct Answer {
   Kind kind = Kind::Nothing;
   /// The causes that are certain in addition to the pattern (Unknown) or to the effects (Several).
   Explanation explanation;
-  std::vector<std::vector<Rival>> rivals;  ///< of each part of the explanation
-  std::optional<Part> pattern;             ///< with Unknown: the likeliest; absent if no pattern fits
-  GapModel after;  ///< with the explanation in the model, with Several also every effect
+  std::vector<std::vector<Rival>> rivals;  ///< rivals of each part of the explanation
+  std::optional<Part> pattern;             ///< with Unknown: the likeliest pattern; absent if none fits
+  GapModel after;                          ///< the model with the explanation and, with Several, every effect
   /// The model whose Δd is reported: `after`, or the session's own model if the explanation contains only
   /// gross errors and larger noise.
   GapModel measured = {};
-  GapModel opened = {};  ///< what `measured` leaves in the session's own model (`openedModelOf`)
+  GapModel opened = {};  ///< the session's own model with the causes of `measured` (`openedModelOf`)
   std::optional<EveryEffect> everyEffect = {};
 };
 
-/// Chooses what is the likeliest as a whole: no cause, known causes, or a pattern without a known cause.
-/// Returns an Unknown without parts if the readings do not determine the model of that choice.
+/// Chooses the kind of answer that is likeliest in total: no cause, known causes, or a pattern without a
+/// known cause. Returns an Unknown without parts if the readings do not determine the model of that choice.
 Answer conclude(const Inquiry& inquiry);
 
-/// `closed`: the model with an explanation in it, except its pattern. `opened`: the rest in the session's own
-/// model (`openedModelOf`).
+/// `closed`: the model with an explanation in it, except its pattern. `opened`: the session's own model with
+/// the same causes (`openedModelOf`).
 struct ExplainedModel {
   GapModel closed, opened;
 };
 ExplainedModel explainedModel(const Inquiry& inquiry, Explanation explanation);
 
 /// The gap after each step: known sizes, then the exclusion of gross errors, then each further part of the
-/// explanation.
+/// explanation, larger noise and forms.
 std::vector<GapStep> stepsOf(const Inquiry& inquiry, const Answer& answer);
 
 }  // namespace alidade

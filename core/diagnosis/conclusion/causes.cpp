@@ -71,7 +71,7 @@ std::vector<Cause> causesOf(const Inquiry& inquiry, const Answer& answer) {
   if (!grossErrors.empty()) {
     Cause cause = named(inquiry, grossErrorId);
     if (!inquiry.largeGrossErrors.empty()) cause.probability = 1;
-    // A jump looks like a gross error of one row only.
+    // A jump may look like one gross error, never like several.
     if (likeJump && grossErrors.size() == 1) cause.indistinguishableFrom = {jumpId};
     cause.readings = withLikelierCircles(answer.after, std::move(grossErrors));
     for (ReadingDeviation& reading : cause.readings)

@@ -14,11 +14,11 @@ namespace alidade {
 // With V the visible columns of its components, W the widths of their weights and r the leftover, the weights
 // are w = (VᵀV + W⁻²)⁻¹ Vᵀ r. They change Δd by −bᵀ w, where b is the change of the fit's Δd by the whole
 // columns. The variance of Δd grows by bᵀ (VᵀV + W⁻²)⁻¹ b. Of this, bᵀ (VᵀV + W⁻²)⁻¹ VᵀV (VᵀV + W⁻²)⁻¹ b is
-// due to the readings, whose noise scales, and the rest to the prior of the weights.
+// due to the readings and scales with their noise. The rest is due to the prior of the weights.
 
 struct Move {
-  double shift = 0;     ///< of the fit's Δd, mm
-  double variance = 0;  ///< of Δd, mm²; includes readings (scaled by the leftover) and components, not zeros
+  double shift = 0;     ///< change of the fit's Δd, mm
+  double variance = 0;  ///< variance of Δd, mm²: readings (scaled by the leftover), components, not zeros
 };
 
 class LinearMoves {
@@ -32,7 +32,7 @@ class LinearMoves {
  private:
   struct Columns {
     Eigen::MatrixXd visible;
-    Eigen::VectorXd influence;  ///< on the fit's Δd, mm
+    Eigen::VectorXd influence;  ///< change of the fit's Δd, mm
   };
 
   const Inquiry& m_inquiry;

@@ -42,7 +42,7 @@ int positionNumber(const ArcMeasurement& arc) {
   return mostTimes * arc.axisDeg + arc.time % mostTimes;
 }
 
-/// `value`: a `positionNumber`, the first degree of a sector, a `ReadingKind`, or a number from 1.
+/// `value` is a `positionNumber`, the first degree of a sector, a `ReadingKind`, or a number from 1.
 std::string partName(Division by, int value) {
   if (by == Division::Circle) return std::string(nameOf(static_cast<ReadingKind>(value)));
   if (by == Division::Sector) return std::to_string(value) + "…" + std::to_string(value + sectorWidth) + "°";

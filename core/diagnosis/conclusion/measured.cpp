@@ -97,7 +97,7 @@ std::optional<Across> acrossOf(const GapModel& model) {
       model, intersectionWeights(*model.fit, *arcAt(*model.measurement, 0), *arcAt(*model.measurement, 180)));
 }
 
-/// Adds the variance of orientation steps to that of the drifts. Without a jump in the answer, such a step is
+/// Adds the variance of the jump terms to that of the drifts. Without a jump in the answer, these terms are
 /// the part of a drift during the pause (`addPause`).
 std::map<ErrorTerm, TermShare> withPausesInDrifts(std::map<ErrorTerm, TermShare> terms) {
   using enum ErrorTerm;
@@ -151,7 +151,7 @@ class Measured {
   const Inquiry& m_inquiry;
   const Answer& m_answer;
   Accounts m_accounts;
-  Explanation m_whole;  ///< the answer's, with its pattern
+  Explanation m_whole;  ///< the answer's explanation, with its pattern
   EffectScales m_scales;
   GapModel m_model, m_every, m_fit;  ///< without effects; with all at plausible size; with all at `m_scales`
 
@@ -230,8 +230,8 @@ class Measured {
   }
 
   /// The explanations to average over: those found, those with a look-alike of a part, and known sizes that
-  /// are out of date. Gross errors and jumps found alone count even if unlikely: the search considers them
-  /// without the effects.
+  /// are out of date. Explanations by one gross error or one jump alone count even if unlikely, since the
+  /// search weighed them without the effects.
   std::vector<Explanation> explanations() {
     constexpr double leastChance = 0.01;
     std::vector<Explanation> all = withRivals(m_answer, m_whole);

@@ -19,11 +19,11 @@ struct FittedAccount {
   IntersectionEstimate estimate;
   EffectScales scales;
   std::map<ErrorTerm, TermShare> terms;
-  std::vector<BudgetEntry> others;  ///< the same source may come twice
+  std::vector<BudgetEntry> others;  ///< other contributions; a source may occur twice
   NoiseScale noise;
 };
 
-/// The shares of an averaged estimate: those of one account, then the excess of the average over it.
+/// The shares of an averaged estimate, the largest first: those of one account, and what the average adds.
 std::vector<UncertaintyShare> budgetOf(const FittedAccount& account, const Measurement& measurement,
                                        const IntersectionEstimate& averaged);
 

@@ -7,11 +7,11 @@
 
 namespace alidade {
 
-/// For each effect, and for a jump between a zero and the first visit: the size that would explain the
-/// distance of Δd from the reference; of several, the most plausible and least visible. Excluded are sizes
-/// that the readings contradict, by `clearlyDifferent` σ relative to the best size, effects of known size,
-/// and all-or-nothing effects. The most plausible first; empty without a reference with its σ. `inquiry` must
-/// not use the reference.
+/// Returns the size at which each effect, or a jump between a zero and the first visit, would explain the
+/// difference of Δd from the reference. An effect of several numbers gets the sizes that are together the
+/// most plausible and least visible. Excluded are sizes that fit the readings worse than the best size by
+/// more than `clearlyDifferent` σ, effects of known size and all-or-nothing effects. The most plausible
+/// first; empty without a reference with its σ. `inquiry` must not use the reference.
 std::vector<Required> whatItWouldTake(const Inquiry& inquiry);
 
 }  // namespace alidade

@@ -52,7 +52,7 @@ bool isClose(const Rival& rival) {
 std::vector<Rival> jumps(const Inquiry& inquiry, const Explanation& explanation, std::size_t index,
                          Comparison& comparison) {
   const auto isJump = [&](const Part& other) { return inquiry.of(other).isJump(); };
-  if (std::ranges::any_of(explanation.parts, isJump)) return {};  // a session contains at most one jump
+  if (std::ranges::any_of(explanation.parts, isJump)) return {};  // an explanation contains at most one
   const Eigen::Index reading = *inquiry.of(explanation.parts[index]).grossErrorAt();
   const std::size_t row = inquiry.leftover.reading(reading).sequence;
   std::vector<Rival> rivals;
@@ -65,7 +65,7 @@ std::vector<Rival> jumps(const Inquiry& inquiry, const Explanation& explanation,
   return rivals;
 }
 
-/// Candidates of the wanted kind that look like the part and explain something in its place.
+/// Candidates of the wanted kind that look like the part and that the readings support in its place.
 template <typename Kind>
 std::vector<Rival> nearlyLike(const Inquiry& inquiry, const Explanation& explanation, std::size_t index,
                               Comparison& comparison, const Kind& isOfKind) {
@@ -90,7 +90,7 @@ std::vector<Rival> nearlyLike(const Inquiry& inquiry, const Explanation& explana
 std::vector<Rival> others(const Inquiry& inquiry, const Explanation& explanation, std::size_t index,
                           Comparison& comparison) {
   const auto isJump = [&](const Part& other) { return inquiry.of(other).isJump(); };
-  const bool hasJump = std::ranges::any_of(explanation.parts, isJump);  // a session contains at most one
+  const bool hasJump = std::ranges::any_of(explanation.parts, isJump);  // an explanation has at most one
   return nearlyLike(inquiry, explanation, index, comparison, [&](const Component& candidate) {
     return candidate.isEffect() || (candidate.slippedArc() && !hasJump);
   });
@@ -118,7 +118,7 @@ std::vector<std::vector<Rival>> rivalsOf(const Inquiry& inquiry, const Explanati
 
 double chanceOf(const Inquiry& inquiry, const Part& part, const std::vector<Rival>& rivals) {
   const auto isCounted = [&](const Part& other) {
-    const bool isJump = inquiry.of(part).isJump();  // at any moment
+    const bool isJump = inquiry.of(part).isJump();  // a jump at any moment counts
     return other.component == part.component || (isJump && inquiry.of(other).isJump()) ||
            std::ranges::any_of(rivals, [&](const Rival& rival) {
              return !rival.isExcluded && rival.part.component == other.component;

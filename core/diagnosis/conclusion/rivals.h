@@ -19,7 +19,8 @@ struct Rival {
   bool isExcluded = false;
 };
 
-/// Rivals of each part: effects, or for a gross error the jump that only its row would show.
+/// Rivals of each part: effects and jumps between a zero and the first visit; for a gross error, the jumps
+/// that only its row would show.
 std::vector<std::vector<Rival>> rivalsOf(const Inquiry& inquiry, const Explanation& explanation);
 
 /// The jumps between another zero and its first visit that explain nearly the same as the jump `part`. They

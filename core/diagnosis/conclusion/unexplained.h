@@ -17,10 +17,10 @@ namespace alidade {
 //
 //   B(z) = N(m; 0, s² + τ²)/N(m; 0, s²) = exp((z² − 1)/2)/z for z > 1, else 1.
 //
-// The prior odds of a further cause make both even where a closure fails (`fails`, a risk of 0.1 %,
-// z = 3.29): q = B(z)/(B(z) + B(3.29)). z follows from the closure's probability, and thus from Student's
-// distribution. For the residuals as a whole, q follows from the probability of their χ². With the posterior
-// p(e):
+// The prior odds make a further cause and none equally probable at the limit of a failing closure (`fails`, a
+// risk of 0.1 %, z = 3.29): q = B(z)/(B(z) + B(3.29)). z follows from the closure's probability, and thus
+// from Student's distribution. For the residuals as a whole, q follows from the probability of their χ². With
+// the posterior p(e):
 //
 // - chance = Σ p(e) × (1 if e contains a pattern without a cause, else the largest q of e). If every effect
 //   at its plausible size is an alternative to the patterns, it is one more e and shares their probability;
@@ -38,11 +38,11 @@ namespace alidade {
 /// The closures of a model, repeats (`repeatsOf`) included.
 std::vector<Closure> everyClosureOf(const GapModel& model);
 
-/// Probability, 0…1, of a further cause of a deviation that noise alone exceeds with probability `chance`: q
-/// above, ½ at 0.1 %.
+/// Probability, 0…1, of a further cause of a deviation that noise alone exceeds with probability `chance`.
+/// This is q above, and ½ at 0.1 %.
 double chanceOfMore(double chance);
 
-/// `reference`: the misclosure of Δd, measured, against a reference that is stated with its σ.
+/// `reference` is the misclosure of Δd, measured, against a reference that is stated with its σ.
 Unexplained unexplainedOf(const Inquiry& inquiry, const Answer& answer,
                           const std::optional<Closure>& reference);
 

@@ -33,7 +33,7 @@ std::vector<Combination> combinationsOf(const FoundForms& found) {
   return all;
 }
 
-/// Prior log odds (natural) of forms against nothing, over the ranges of their shape numbers.
+/// Prior log odds (natural) of forms against nothing, with the averaging over their shape numbers.
 double logPriorOf(const Combination& forms) {
   double log = 0;
   for (const WeighedForm* form : forms)
@@ -41,7 +41,7 @@ double logPriorOf(const Combination& forms) {
   return log;
 }
 
-/// The certain explanation, and also without its jumps, if any: a form may look like a jump.
+/// The certain explanation, and the same without its jumps if it has any: a form may look like a jump.
 std::vector<Explanation> restsOf(const Inquiry& inquiry, const Explanation& certain) {
   Explanation calm = certain;
   std::erase_if(calm.parts, [&](const Part& part) { return inquiry.of(part).stepsOrientation(); });
@@ -63,7 +63,7 @@ struct Weighed {
   double logOdds = 0;
 };
 
-/// `forms`: for each combination a part and its prior log odds.
+/// Explanations with the combinations, likeliest first. `forms`: part and prior log odds of each combination.
 std::vector<Weighed> weighedWith(Accounts& accounts, const Inquiry& inquiry, const Explanation& certain,
                                  const std::vector<std::pair<Part, double>>& forms) {
   std::vector<Weighed> all;

@@ -90,14 +90,14 @@ class BentGrid {
 
  private:
   static constexpr double reach = 9, step = 0.4;
-  static constexpr double lost = 121;  // below e⁻⁴⁰ of the maximum even if the prior lowers it by e⁻⁸¹
+  static constexpr double lost = 121;  // drop of ln evidence that makes a column negligible for every width
   static constexpr int places = static_cast<int>(2 * reach / step) + 1;
   using Places = Eigen::Array<double, places, 1>;
   using Grid = Eigen::Array<double, places, places>;
   Eigen::Matrix<double, 5, 5> m_gram;
   Eigen::Vector<double, 5> m_right;
-  Grid m_values;    ///< of the logarithm, one column for each first weight
-  Grid m_evidence;  ///< relative to the maximum
+  Grid m_values;    ///< ln evidence, one column for each first weight
+  Grid m_evidence;  ///< evidence relative to the maximum
   double m_highest;
 
   static const Places& allPlaces() {
@@ -105,7 +105,7 @@ class BentGrid {
     return all;
   }
 
-  /// Newton iteration as long as the value increases. Returns whether it converged.
+  /// Takes Newton steps as long as the value increases. Returns whether they converged.
   bool climb(Vector2d& at, double width) const {
     constexpr int mostSteps = 8;
     constexpr double level = 1e-9;  // expected increase of the logarithm at convergence

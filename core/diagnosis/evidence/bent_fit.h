@@ -14,8 +14,8 @@ Eigen::Vector<double, 5> bentWeights(const Eigen::Vector2d& weights);
 Eigen::Matrix<double, 5, 2> bentDerivatives(const Eigen::Vector2d& weights);
 
 /// The fit of a bent component: its most likely weights, found on a grid and refined by iteration. `gram` and
-/// `right` belong to its two columns and three second derivatives. Widths too narrow for the grid count as
-/// linear.
+/// `right` belong to its two columns and three second derivatives. For widths too narrow for the grid the
+/// component counts as linear.
 struct BentFit {
   Gain gain;
   Eigen::Vector2d weights;

@@ -29,8 +29,8 @@ template <int Widths>
 using Lane = Eigen::Array<double, Widths, 1>;
 
 /// Accumulates and solves the small matrix of the Woodbury identity, which has one row for each eliminated
-/// column. `Taken` is the number of eliminated columns if it is known at compile time, so that loops are
-/// unrolled; a pattern may have some eighty.
+/// column. `Taken` is their number if loops are to be unrolled, else `Eigen::Dynamic`; a pattern may have
+/// about eighty.
 template <int Taken, int Widths>
 class SharedPart {
  public:
@@ -47,7 +47,7 @@ class SharedPart {
     }
   }
 
-  /// Adds the next column, a row of `shared`, less `step` times the previous one.
+  /// Adds the next column, a row of `shared`, minus `step` times the previous one.
   void add(const Eigen::Ref<const MatrixXd>& shared, Index row, const Lane<Widths>& step,
            const Lane<Widths>& inverse, const Lane<Widths>& scaled) {
     for (std::size_t a = 0; a < count(); ++a) {
@@ -97,7 +97,7 @@ class SharedPart<0, Widths> {
   std::pair<Lane<Widths>, Lane<Widths>> solve() { return {Lane<Widths>::Ones(), Lane<Widths>::Zero()}; }
 };
 
-/// Returns the sum over the widths of e^exponent/√determinant, relative to the largest exponent. |1 + w² G/v|
+/// Returns ln of the sum over the widths of e^exponent/√determinant, and the most likely width. |1 + w² G/v|
 /// and cᵀ (v/w² + G)⁻¹ c follow by elimination from the first column to the last.
 template <int Taken, int Widths>
 Gain gainWith(const std::vector<Width>& widths, const TurnedColumns& columns, double variance) {
@@ -110,7 +110,7 @@ Gain gainWith(const std::vector<Width>& widths, const TurnedColumns& columns, do
   const Lane w2 = sigmas.square() / variance, narrow = w2.inverse();
   const Index count = columns.diagonal.size();
   Lane determinant = Lane::Ones(), quadratic = Lane::Zero(), step = Lane::Zero(), right = Lane::Zero();
-  double coupling = 0;  // with the previous column
+  double coupling = 0;  // inner product with the previous column
   SharedPart<Taken, Widths> part(columns.shared.cols());
   for (Index i = 0; i < count; ++i) {
     const Lane pivot = narrow + columns.diagonal[i] - coupling * step;

@@ -50,8 +50,8 @@ Tridiagonal tridiagonalOf(const Eigen::MatrixXd& gram);
 struct TurnedColumns {
   Eigen::Ref<const Eigen::VectorXd> diagonal, subdiagonal;  ///< as in `Tridiagonal`
   Eigen::Ref<const Eigen::VectorXd> right;                  ///< inner products with the remaining leftover
-  /// Their inner products with the eliminated columns, columns × eliminated. The remaining Gram matrix is G −
-  /// shared sharedᵀ. Determinant and inverse of v/w² + G then follow from a small matrix (Woodbury).
+  /// Inner products of the turned with the eliminated columns, turned × eliminated. The remaining Gram matrix
+  /// is G − shared sharedᵀ. Determinant and inverse of v/w² + G then follow from a small matrix (Woodbury).
   Eigen::Ref<const Eigen::MatrixXd> shared;
 };
 Gain gainOf(const std::vector<Width>& widths, const TurnedColumns& columns, double variance);

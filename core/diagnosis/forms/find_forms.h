@@ -10,19 +10,19 @@ namespace alidade {
 
 struct FoundForms {
   std::vector<FoundForm> forms;
-  std::vector<FormFamily> families;  ///< of each form
+  std::vector<FormFamily> families;  ///< family of each form
   /// For each form: the form itself and nearly as likely ones in its place, the likeliest first.
   std::vector<std::vector<WeighedForm>> likely;
   int numbers = 0;  ///< amplitudes and shape numbers of all forms
-  /// Error of each reading's prediction from other readings (`addShrinkage`), in its σ; empty if none is
-  /// predicted.
+  /// Error of each reading's prediction from other readings (`addShrinkage`), in σ of the reading; empty if
+  /// none is predicted.
   Eigen::VectorXd heldOutErrors = {};
 };
 
 /// Decisions that depend on where the readings come from.
 struct FormChoice {
-  std::function<bool(const std::vector<WeighedForm>&)> isNamed;  ///< whether the first one is named
-  std::function<bool(int numbers)> isAnythingLeft;               ///< whether a gap remains after `numbers`
+  std::function<bool(const std::vector<WeighedForm>&)> isNamed;  ///< whether the first form is named
+  std::function<bool(int numbers)> isAnythingLeft;               ///< whether a gap is left by so many numbers
   std::function<void(const WeighedForm&, FoundForm&)> note;      ///< completes a named form
 };
 

@@ -11,7 +11,7 @@ namespace alidade {
 /// uncertainty of each shape number. No term of the model corresponds to this component.
 class FormComponent final : public Component {
  public:
-  /// `readings`: those of `leftover`. `forms`: with amplitudes, in mm or arcseconds.
+  /// `readings` belong to `leftover`; `forms` have amplitudes, mm or arcseconds.
   FormComponent(const Leftover& leftover, const FormReadings& readings,
                 const std::vector<const WeighedForm*>& forms);
 
@@ -30,7 +30,7 @@ class FormComponent final : public Component {
 
  private:
   ErrorSource m_source;
-  Eigen::MatrixXd m_columns;  ///< over the readings, before projection
+  Eigen::MatrixXd m_columns;  ///< columns over the readings, before projection
   Eigen::MatrixXd m_gram;
   Eigen::VectorXd m_found;
 

@@ -11,8 +11,8 @@ using Eigen::Index, Eigen::VectorXd;
 
 namespace {
 
-constexpr double narrowest = 0.02, widest = 0.35;  // width of a bump, in ranges of its argument
-constexpr double quickest = 0.02, slowest = 1;     // time constant, in sessions
+constexpr double narrowest = 0.02, widest = 0.35;  // width of a bump, as a share of its argument's range
+constexpr double quickest = 0.02, slowest = 1;     // time constant, as a share of the session
 constexpr double fewestCycles = 0.5, mostCycles = 8;
 
 /// The values that an argument takes, and how densely a grid covers them.

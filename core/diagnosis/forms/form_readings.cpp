@@ -71,7 +71,7 @@ class SessionReadings {
     set(FormCarrier::Orientation, horizontal + vertical);
     const VectorXd slider = perArcsecond * m_leftover.column(Unknown::Kind::SliderZero);
     set(FormCarrier::Slider, slider);
-    // Along the arc the target moves away from the slider's reading: s + δ/R is sighted, s is read.
+    // A displacement δ of the target along the arc: the theodolite sights s + δ/R, the slider reads s.
     set(FormCarrier::Tangential, slider * (-1 / (perArcsecond * m_measurement.nominalRadius)));
   }
 
@@ -114,7 +114,7 @@ class SessionReadings {
     return each([&](Index i) { return values[at(i).arc][at(i).sighting]; });
   }
 
-  /// Zeros that are readings need no argument here: a form acts on their own rows.
+  /// Does nothing if zeros are readings: a form then acts on the rows of the zeros.
   void addZeros() {
     for (Index i = 0; i < m_result.count; ++i)
       if (at(i).isZero) return;
@@ -183,7 +183,7 @@ MatrixXd freeValues(const Form& form, const std::vector<double>& places, const V
 
 MatrixXd plainValues(const FormReadings& readings, const Form& form, const VectorXd& x) {
   MatrixXd values(x.size(), functionsOf(readings, form));
-  // Neighbours often share a place or a moment.
+  // Neighbouring readings often have the same argument, so the functions are reused.
   Eigen::Array2d here = Eigen::Array2d::Zero();
   for (Index i = 0; i < values.rows(); ++i) {
     if (i == 0 || x[i] != x[i - 1]) here = formFunctions(form, x[i]);

@@ -16,10 +16,10 @@ inline constexpr std::size_t formCarriers = 10, formArguments = 10;
 /// of the functions.
 struct FormReadings {
   Eigen::Index count = 0;
-  /// ∂reading/∂carrier, whitened, per mm or arcsecond; empty if these readings do not have the carrier.
-  /// `Orientation` holds the sum of both circles; `Vertical` is reduced to face 1, up positive.
+  /// ∂reading/∂carrier, whitened, per mm or arcsecond; empty if the carrier changes no reading. `Orientation`
+  /// holds the sum of both circles; `Vertical` is reduced to face 1, up positive.
   std::array<Eigen::VectorXd, formCarriers> carriers;
-  /// Value of each argument: rad, share, or ±1; empty if it is equal for all readings or unknown.
+  /// Value of each argument: rad, share, ±1 or round; empty if it is equal for all readings or unknown.
   std::array<Eigen::VectorXd, formArguments> arguments;
   /// Argument, in face 1, of the pointing zero to which a reading refers; empty if zeros are readings.
   std::array<Eigen::VectorXd, formArguments> zeros;
@@ -46,8 +46,8 @@ Eigen::Index columnsOf(const FormReadings& readings, const Form& form);
 /// The places of a `PerPlace` form, or the moments of the steps of a walk, in the unit of the argument.
 /// Places within 0.1° count as one.
 std::vector<double> placesOf(const FormReadings& readings, const Form& form);
-/// The functions at `x` of a free form, one for each of `places`. Those of a walk are scaled so that its
-/// amplitudes have the size of its final displacement.
+/// The functions at `x` of a free form, one for each of `places`. Those of a walk with n steps are divided by
+/// √n: independent amplitudes of σ a then give a final displacement of σ a.
 Eigen::VectorXd freeFunctions(const Form& form, const std::vector<double>& places, double x);
 /// The functions at `x` of a form that is not free: one, or cosine and sine.
 Eigen::Array2d formFunctions(const Form& form, double x);

@@ -97,7 +97,7 @@ class Weighing {
     return all > 0 ? Eigen::Array2d((squares / all).sqrt()) : Eigen::Array2d::Zero();
   }
 
-  /// Moves the shape numbers to the likeliest, with their uncertainty.
+  /// Moves the shape numbers to their likeliest values, and sets uncertainty and amplitudes.
   void refine(WeighedForm& weighed, const FormFamily& family) const {
     const Index count = weighed.form.count();
     if (weighed.form.function == FormFunction::Step) return refineStep(weighed, family);
@@ -112,7 +112,7 @@ class Weighing {
   MatrixXd scaled(const Form& form) const { return formUnit(form.carrier) * formColumns(m_readings, form); }
 
   Gain gainOfColumns(const FormSystem::Products& products, Index first, Index count) const {
-    constexpr double invisible = 1e-6;  // part of a column that rounding may leave
+    constexpr double invisible = 1e-6;  // share of the squared length that rounding may leave
     const MatrixXd gram = products.gram(first, count);
     const double whole = products.all.middleCols(first, count).squaredNorm();
     if (!(gram.trace() > invisible * whole)) return {impossible, 1};
@@ -141,7 +141,7 @@ class Weighing {
     Eigen::Matrix2d curve = -Eigen::Matrix2d::Identity();
   };
 
-  /// Slope and curvature by finite differences about `at`.
+  /// Slope and curvature of ln evidence by finite differences about `at`.
   Bend bendAt(const Form& form, const Eigen::Array2d& at, const Eigen::Array2d& step, double here,
               Index count) const {
     Bend bend;
@@ -208,7 +208,7 @@ class Weighing {
     weighed.logAveraged = weighed.logEvidence + std::min(logPeak - logVolume, 0.0);
   }
 
-  /// A step has the same effect anywhere between two values of the argument.
+  /// Sets the σ of a step: it has the same effect anywhere between two values of the argument.
   void refineStep(WeighedForm& weighed, const FormFamily& family) const {
     double gap = 0;
     for (std::size_t i = 1; i < family.grid.size(); ++i)
@@ -258,7 +258,7 @@ double logSumOf(const std::vector<WeighedForm>& all) {
 std::vector<WeighedForm> weighForms(const FormSystem& system, const FormReadings& readings,
                                     const std::vector<FormFamily>& families, const std::stop_token& stop) {
   constexpr std::size_t mostRefined = 16;
-  constexpr double hopeless = 0.25;  // of the largest ln evidence; smaller ones are not refined
+  constexpr double hopeless = 0.25;  // share of the best ln evidence; forms with less are not refined
   const Weighing weighing(system, readings);
   std::vector<std::pair<WeighedForm, const FormFamily*>> all;
   for (const FormFamily& family : families) {

@@ -11,20 +11,20 @@
 
 namespace alidade {
 
-// The search for the form with the smallest leftover. With F the columns of a form after elimination of the
-// model, r the leftover, v the variance of the readings and w the width of the amplitudes, the amplitudes are
+// The search for the likeliest form. With F the columns of a form after elimination of the model, r the
+// leftover, v the variance of the readings and w the width of the amplitudes, the amplitudes are
 //
 //   (FᵀF + v/w²)⁻¹ Fᵀ r,      the evidence |1 + w² FᵀF/v|^(−1/2) exp(½ rᵀF (FᵀF + v/w²)⁻¹ Fᵀr/v),
 //
-// averaged over the widths. The average over the shape numbers is by Laplace's method at the likeliest.
-// Source: MacKay, "Bayesian interpolation", Neural Computation 4 (1992).
+// averaged over the widths. The average over the shape numbers is by Laplace's method at their likeliest
+// values. Source: MacKay, "Bayesian interpolation", Neural Computation 4 (1992).
 
 /// The part of the readings that a model absorbs, and the leftover.
 class FormSystem {
  public:
   using Outside = std::function<Eigen::MatrixXd(const Eigen::MatrixXd&)>;
-  /// `outside`: converts columns over the readings to rows of the system. `basis`: orthonormal basis of the
-  /// absorbed part.
+  /// `outside` converts columns over the readings to columns over the rows of the system. `basis` is an
+  /// orthonormal basis of the absorbed part, `left` the leftover.
   FormSystem(Outside outside, Eigen::MatrixXd basis, Eigen::VectorXd left, double variance);
 
   const Eigen::MatrixXd& basis() const { return m_basis; }
@@ -35,9 +35,9 @@ class FormSystem {
   void takeUp(const Eigen::MatrixXd& columns);
 
   struct Products {
-    Eigen::MatrixXd all;    ///< columns as rows of the system
+    Eigen::MatrixXd all;    ///< columns over the rows of the system
     Eigen::MatrixXd taken;  ///< their products with the basis
-    Eigen::VectorXd right;  ///< with the leftover
+    Eigen::VectorXd right;  ///< their products with the leftover
 
     Eigen::MatrixXd gram(Eigen::Index first, Eigen::Index count) const;
   };
@@ -54,13 +54,13 @@ class FormSystem {
 struct WeighedForm {
   Form form;
   double logPrior = 0;
-  double logEvidence = impossible;  ///< at that shape, integrated over the amplitudes
+  double logEvidence = impossible;  ///< natural logarithm at that shape, integrated over the amplitudes
   double logAveraged = impossible;  ///< `logEvidence` averaged over the shape numbers
-  double width = 1;                 ///< of the amplitudes, in units of the carrier
+  double width = 1;                 ///< prior width of the amplitudes, in `formUnit`
   Eigen::Array2d sigmas{};          ///< standard uncertainty of `shapeCoordinates`
   Eigen::VectorXd amplitudes = {};  ///< mm or arcseconds
-  Eigen::MatrixXd covariance = {};  ///< of the amplitudes, including the uncertainty of the shape
-  std::vector<double> places = {};  ///< of the amplitudes of a free form, in the unit of the argument
+  Eigen::MatrixXd covariance = {};  ///< covariance of the amplitudes, with the uncertainty of the shape
+  std::vector<double> places = {};  ///< places of the amplitudes of a free form, in the argument's unit
 
   double logPosterior() const { return logPrior + logAveraged; }
 };
@@ -68,7 +68,7 @@ struct WeighedForm {
 /// ln of the sum of the posterior odds against no form.
 double logSumOf(const std::vector<WeighedForm>& all);
 
-/// All families, the likeliest first. The first has refined shape numbers, and amplitudes.
+/// All families, the likeliest first. Only the most promising have refined shape numbers and amplitudes.
 std::vector<WeighedForm> weighForms(const FormSystem& system, const FormReadings& readings,
                                     const std::vector<FormFamily>& families, const std::stop_token& stop);
 

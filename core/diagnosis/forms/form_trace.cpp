@@ -36,7 +36,7 @@ double valueAt(const FoundForm& found, const Channel& channel, double x) {
   return sum;
 }
 
-/// The argument as reported: in degrees, for the horizontal circle within a turn.
+/// The argument as reported: an angle in degrees, for the horizontal circle in 0…360°.
 double displayedArgument(const Form& form, double x) {
   if (!form.isOfAngle()) return x;
   const double degrees = x / radiansOfDegree;
@@ -84,7 +84,7 @@ class Tracer {
   }
 
   void addPoints(const FoundForm& found, const Channel& channel, FormTrace& trace) const {
-    constexpr double leastWeight = 0.04;  // a fifth as sharp as the sharpest
+    constexpr double leastWeight = 0.04;  // at most five times the least σ
     VectorXd carrier = m_readings.of(channel.carrier);
     if (found.form.turnsWithFace) carrier = carrier.cwiseProduct(m_readings.face);
     const VectorXd seen = m_leftover.outsideArcAngles(carrier).col(0);

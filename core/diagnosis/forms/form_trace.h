@@ -4,8 +4,8 @@
 
 namespace alidade {
 
-/// Fills `FoundForm::trace` of each form. `left`: residuals in σ with all forms in the model. `leftover` and
-/// `measurement` are those of the same model without the forms.
+/// Fills `FoundForm::trace` of each form. `left` has the residuals in σ with all forms in the model.
+/// `leftover` and `measurement` are those of the same model without the forms.
 ///
 /// A sighting has several readings. With cᵢ the change of reading i by one unit of the carrier, arc angle
 /// eliminated, and rᵢ its residual, the sighting gives f(x) + Σ cᵢrᵢ/Σ cᵢ² as the form's value (a partial

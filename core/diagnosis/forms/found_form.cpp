@@ -24,7 +24,7 @@ std::string argumentText(FormArgument of) {
   return of == FormArgument::VerticalCircle ? "beta" : std::string(nameOf(of));
 }
 
-/// The functions with their coefficients from `letter` on.
+/// The formula of the functions, with letters from `letter` on as coefficients.
 std::string termsText(const Form& form, char letter) {
   const std::string x = argumentText(form.of), a(1, letter), face = form.turnsWithFace ? "face*" : "";
   switch (form.function) {
@@ -61,7 +61,7 @@ char letterAfter(const Form& form, char letter) {
   return static_cast<char>(letter + (form.function == FormFunction::Harmonic ? 2 : 1));
 }
 
-/// Adds the shape numbers in degrees or shares, with σ from that in `shapeCoordinates`.
+/// Adds the shape numbers in degrees or shares, with σ converted from `shapeCoordinates`.
 void addShape(const WeighedForm& weighed, std::vector<FormNumber>& parameters) {
   const Form& form = weighed.form;
   const std::string unit = form.isOfAngle() ? "_deg" : "";
@@ -121,8 +121,8 @@ std::vector<std::string> coefficientNames(const FoundForm& found, Index count) {
   return names;
 }
 
-/// The amplitude on one circle or in one length: the root of the sum of its squared coefficients; for a
-/// number at each place, their rms.
+/// The amplitude of one carrier: its only coefficient, or the root of the sum of its squared coefficients.
+/// For a form with a number at each place it is their rms.
 FormNumber amplitudeOf(const WeighedForm& weighed, Index first, Index count, const std::string& name) {
   const double per = weighed.form.function == FormFunction::PerPlace ? std::sqrt(double(count)) : 1;
   const VectorXd own = weighed.amplitudes.segment(first, count) / per;

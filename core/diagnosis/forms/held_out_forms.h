@@ -9,9 +9,9 @@ namespace alidade {
 
 /// A model whose readings are divided into those that are fitted and those that are predicted.
 struct DividedModel {
-  FormSystem::Outside outside;  ///< columns over the readings as rows
-  Eigen::MatrixXd basis;        ///< orthonormal, of the part that the model absorbs
-  Eigen::VectorXd left;         ///< rows: readings, then prior knowledge
+  FormSystem::Outside outside;  ///< converts columns over the readings to columns over the rows
+  Eigen::MatrixXd basis;        ///< orthonormal basis of the part that the model absorbs
+  Eigen::VectorXd left;         ///< leftover, σ; rows: readings, then prior knowledge
 };
 
 /// Distributes `count` groups of readings at random, by a fixed seed, over folds of nearly equal size.
@@ -19,19 +19,19 @@ std::vector<int> shuffledFolds(std::size_t count, int folds);
 
 struct HeldOutReadings {
   static constexpr int none = -1;
-  std::vector<int> fold;       ///< of each reading; none: always fitted, such as a pointing zero
+  std::vector<int> fold;       ///< fold of each reading; `none` if always fitted, like a pointing zero
   int folds = 0;               ///< 0: too few readings to hold any out
   Eigen::VectorXd arcseconds;  ///< σ of each reading whose prediction counts, else 0
   /// For each fold, the number of unknowns that occur in its readings only, such as arc angles.
   std::vector<int> eliminated = {};
 };
 
-/// Rms of the residuals `left`, which are in σ of each reading; arcseconds. `arcseconds`: σ of each reading,
-/// 0 if it does not count.
+/// Rms, arcseconds, of the residuals `left`, which are in σ of each reading. `arcseconds` is the σ of each
+/// reading, 0 if it does not count.
 double rmsOf(const Eigen::VectorXd& left, const Eigen::VectorXd& arcseconds);
 
-/// Adds the shrinkage by all forms together to each form: on all readings, and on held-out readings, with the
-/// exact test that the forms predict nothing there.
+/// Adds to each form the shrinkage by all forms together, on all readings and on held-out readings. Also adds
+/// the exact test of the hypothesis that the forms predict nothing of held-out readings.
 ///
 /// For each fold, shape and amplitudes are found from the other readings. They predict one column g for the
 /// readings y of the fold; g is independent of their noise, whatever was searched. With Q the projector that

@@ -106,7 +106,7 @@ class ResidualReader {
     return number ? std::optional(*number) : std::nullopt;
   }
 
-  /// 1 there, −1 back.
+  /// 1 for the way there, −1 for the way back.
   static std::optional<double> legOf(const std::string& text) {
     const std::string word = lowerCase(text);
     if (isOneOf(word, {"there", "out", "up", "forward", "1", "+1"})) return 1;

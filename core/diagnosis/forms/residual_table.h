@@ -11,9 +11,9 @@ namespace alidade {
 /// A table of residuals, whitened by their stated σ.
 struct ResidualTable {
   FormReadings readings;     ///< carriers horizontal, vertical and, where there are both, orientation
-  Eigen::VectorXd residual;  ///< over σ
+  Eigen::VectorXd residual;  ///< divided by σ
   Eigen::VectorXd sigma;     ///< arcsec
-  Eigen::MatrixXd base;      ///< over σ
+  Eigen::MatrixXd base;      ///< base columns, divided by σ
 };
 
 /// Parses the table of residuals that `discover` reads.

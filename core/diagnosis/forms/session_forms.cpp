@@ -69,7 +69,7 @@ class SessionForms {
  private:
   const Inquiry& m_inquiry;
   const std::stop_token& m_stop;
-  GapModel m_plainModel, m_fullModel;  ///< with the certain causes; with every effect as well
+  GapModel m_plainModel, m_fullModel;  ///< with the certain causes except jumps; with every effect, too
   Leftover m_plain, m_full;
   FormReadings m_readings;
   std::vector<FormFamily> m_families;
@@ -129,8 +129,8 @@ class SessionForms {
     return !isAnythingLeft(with, static_cast<int>(first.amplitudes.size()) + first.form.count());
   }
 
-  /// The patterns have a lower prior than forms: they are for gaps without a form. Patterns of two columns
-  /// are omitted, because a harmonic is a form itself.
+  /// Log odds (natural) of the likeliest patterns. Their prior is lower than that of forms, since they serve
+  /// gaps without a form. Patterns of two columns are omitted, because a harmonic is a form itself.
   double logPatterns() const {
     constexpr std::size_t most = 4;
     constexpr double ofForms = 0.05;

@@ -8,20 +8,20 @@
 
 namespace alidade {
 
-// The diagnosis asks whether an effect exists. An uncertainty asks how large it may be, whether or not the
-// readings show it. These functions serve the uncertainty.
+// A diagnosis decides whether an effect exists. An uncertainty needs the possible size of every effect,
+// whether or not the readings show it. These functions serve the uncertainty.
 
 /// Returns the error terms of every effect that the readings may contain. Each has its known size (`knownOf`)
-/// or a mean of 0 with its plausible size (1σ). The other relation of the vertical circle has no size and is
-/// excluded; slider effects need slider readings.
+/// or a mean of 0 with its plausible size (1σ). Effects without a size, such as the other relation of the
+/// vertical circle, are excluded. Slider effects need slider readings.
 std::vector<EstimatedTerm> everyEffect(const Measurement& measurement);
 
 /// Returns the terms of `everyEffect` with known sizes. They include the tilt of the plane if the session
 /// does not state whether it is square to an inclined zero (`Measurement::isPlaneStated`).
 std::vector<EstimatedTerm> knownTerms(const Measurement& measurement);
 
-/// Returns the model with every known number as an unknown with its known uncertainty. Expected effects are
-/// then not part of the gap.
+/// Returns the model with every known number as an unknown with its known uncertainty. Known effects are then
+/// no part of the gap.
 GapModel withKnownSizes(GapModel model);
 
 /// Whether the session has too many rows for a fit of every effect in a reasonable time.
@@ -38,7 +38,7 @@ struct EffectScales {
 /// Scales so small that every effect is negligible.
 inline constexpr EffectScales noEffect{1e-6, 1e-6, 1e-6};
 
-/// Prior scales with their probabilities, which sum to 1. They are 1 or 3, for all effects together or for
+/// Prior scales with their probabilities, which sum to 1. Scales are 1 or 3, for all effects together or for
 /// each source separately; both alternatives are equally probable. No scale is below 1: visible small effects
 /// give no information about undetectable ones.
 struct PossibleScales {

@@ -77,7 +77,7 @@ std::optional<GapModel> closedModelOf(const GapModel& own) {
 }
 
 GapModel openedModelOf(const GapModel& closed, const GapModel& own) {
-  constexpr double held = 1e-6;  // factor of the plausible σ that holds a term at its value
+  constexpr double held = 1e-6;  // factor of the prior σ, small enough to hold a term at its value
   if (!closed.options.isClosed) return closed;
   GapModel opened = closed;
   opened.options.isClosed = false;

@@ -17,7 +17,7 @@ GapSize sizeOf(const GapModel& model);
 /// Excess of χ² over the degrees of freedom at the model's noise, ≥ 0.
 double excessOf(const GapModel& model);
 
-/// Δd, if both positions are present.
+/// Δd of the model; absent without both positions.
 std::optional<IntersectionEstimate> estimateOf(const GapModel& model);
 
 }  // namespace alidade

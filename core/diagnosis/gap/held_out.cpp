@@ -18,8 +18,8 @@ using Eigen::Index, Eigen::MatrixXd, Eigen::VectorXd;
 constexpr std::size_t folds = 5;
 
 struct Row {
-  std::size_t fold = folds;  ///< `folds`: in no fold (prior knowledge or pointing zero)
-  double arcseconds = 0;     ///< σ; 0 for a row that does not count
+  std::size_t fold = folds;  ///< `folds` for a row in no fold (prior knowledge or pointing zero)
+  double arcseconds = 0;     ///< σ of the reading; 0 for a row that does not count
 };
 
 /// The whitened equations at the solution of a fit, arc angles eliminated: rows of readings, then of prior

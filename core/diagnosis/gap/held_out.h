@@ -5,8 +5,8 @@
 namespace alidade {
 
 /// Returns 1 − rms after/rms before of held-out circle readings. Every fifth visit in turn is held out.
-/// Circles, slider zeros and the parameters of the causes are estimated from the other visits. These predict
-/// the held-out readings except for the arc angle.
+/// Circles, slider zeros and the parameters of the causes are estimated from the other visits. These
+/// estimates predict the held-out readings; each held-out visit keeps an arc angle of its own.
 ///
 /// Some choices come from all readings: the causes, the moment of a jump, the readings with gross errors, the
 /// prior widths and the point of linearisation. Readings with gross errors are excluded from the fit and from

@@ -21,8 +21,8 @@ namespace alidade {
 class Leftover {
  public:
   /// `inModel` are the terms that the fit estimates already. `noise` is the ratio of the actual to the stated
-  /// scatter. It increases the weight of prior knowledge, because the equations stay in units of the stated
-  /// σ.
+  /// scatter. The ratio increases the weight of prior knowledge, because the equations stay in units of the
+  /// stated σ.
   explicit Leftover(Linearised equations, const std::vector<EstimatedTerm>& inModel = {}, double noise = 1);
 
   /// Number of readings plus one entry for each observation of a prior and each condition.
@@ -32,7 +32,7 @@ class Leftover {
     return m_equations.readings[static_cast<std::size_t>(i)];
   }
   const Eigen::VectorXd& residual() const { return m_residual; }
-  /// Inner products with the terms, as `productsOfTerms` returns them.
+  /// Inner products of the leftover with the terms, as `productsOfTerms` returns them.
   const Eigen::VectorXd& residualByTerms() const { return m_residualByTerms; }
   double chiSquare() const { return m_residual.squaredNorm(); }
   /// The equations that the leftover was computed from.
@@ -41,11 +41,11 @@ class Leftover {
 
   /// Returns the part of `columns` (`rows()` or `readings()` long) that the fit cannot absorb.
   Eigen::MatrixXd visible(const Eigen::MatrixXd& columns) const;
-  /// The observations, and `columns` (`rows()` long), with only the arc angles eliminated.
+  /// The observations, and `columns` (`rows()` or `readings()` long), with only the arc angles eliminated.
   const Eigen::VectorXd& observed() const { return m_observed; }
   Eigen::MatrixXd outsideArcAngles(const Eigen::MatrixXd& columns) const;
-  /// Orthonormal basis of what the fit absorbs, orthogonal to the arc angles. It has at least one column, of
-  /// zeros if necessary: Eigen fails on matrices without columns.
+  /// Orthonormal basis of what the fit absorbs, orthogonal to the arc angles. If the fit absorbs nothing, the
+  /// basis is one column of zeros: Eigen fails on matrices without columns.
   const Eigen::MatrixXd& basis() const { return m_basis; }
   Eigen::Index visits() const { return static_cast<Eigen::Index>(m_endOfVisit.size()); }
   /// A run of readings from `first` to before `end`.
@@ -66,7 +66,7 @@ class Leftover {
   /// Inner products of ∂reading/∂term of every term with a visible vector, `rows()` or `readings()` long.
   /// They are 0 for terms without derivatives in the equations.
   Eigen::VectorXd productsOfTerms(const Eigen::VectorXd& visible) const;
-  /// ∂reading/∂unknown of the readings' own arc; 0 where the arc has no such unknown.
+  /// ∂reading/∂unknown, whitened, for the unknown of this kind of each reading's arc; 0 if the arc has none.
   Eigen::VectorXd column(Unknown::Kind kind) const;
 
  private:
@@ -84,8 +84,8 @@ class Leftover {
 };
 
 /// Returns the variance of a number due to the scatter of the readings, in the number's unit squared.
-/// `perReading` is its change per σ of each reading. Zeros are excluded, because they do not scatter like
-/// readings.
+/// `perReading` is the change of the number per σ of each reading. Zeros are excluded, because they do not
+/// scatter like readings.
 double varianceOfReadings(const Leftover& leftover, const Eigen::VectorXd& perReading);
 
 }  // namespace alidade

@@ -11,7 +11,7 @@
 
 namespace alidade {
 
-/// Δd, estimated with the unknowns and every effect, which has at most its plausible size as prior σ.
+/// Δd, estimated with the unknowns and every effect. The prior σ of an effect is at most its plausible size.
 class IntersectionSoFar {
  public:
   explicit IntersectionSoFar(const SightingEquations& equations);
@@ -33,7 +33,7 @@ class IntersectionSoFar {
 };
 
 /// Returns `cause`, then the causes that all sightings, taken and possible, would not separate from `cause`.
-/// The trace of `cause` at its estimated size differs from one of theirs by less than `hardlyDifferent` σ.
+/// Each of these has a trace closer than `hardlyDifferent` σ to that of `cause` at its estimated size.
 std::vector<std::string> inseparableFrom(const Weighed& cause, const SightingEquations& equations);
 
 }  // namespace alidade

@@ -81,7 +81,7 @@ class FormList {
   }
 };
 
-/// Returns a fit with the arc angles of all sightings only: `formReadings` uses nothing else of it.
+/// Returns a fit with arc angles but no readings: `formReadings` then uses the directions of the sightings.
 JointFit arcAnglesOn(const std::vector<Circle>& circles, const Measurement& measurement) {
   JointFit fit;
   for (std::size_t i = 0; i < measurement.arcs.size(); ++i) {

@@ -15,7 +15,7 @@ struct PossibleForm {
   double share = 0;
 };
 
-/// The forms that are weighed while a session grows: a few of every kind that the diagnosis seeks. The forms
+/// The forms that are weighed while a session grows, a selection of those that the diagnosis seeks. The forms
 /// and their shares are the same for all sessions: evidence stays valid at any time only if no reading
 /// changes the prior.
 const std::vector<PossibleForm>& possibleForms();

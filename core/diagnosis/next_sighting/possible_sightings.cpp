@@ -22,7 +22,7 @@ const Sighting* lastOf(const Measurement& measurement, std::size_t& arc) {
   return last;
 }
 
-/// The round in which `point` would be sighted: that of the last visit if the slider is still there and
+/// The round in which `point` would be sighted. It is that of the last visit if the slider is still there and
 /// `face` was not sighted, else a new one.
 int roundOf(const ArcMeasurement& arc, const Sighting* last, int point, int face) {
   int round = 0;

@@ -10,7 +10,7 @@ namespace alidade {
 
 /// A candidate for the next sighting, before it is evaluated.
 struct PossibleSighting {
-  std::size_t arc = 0;  ///< index of its arc, which it begins if it turns the axis
+  std::size_t arc = 0;  ///< index of the arc, which begins here if the sighting turns the axis
   NextSighting next;
 };
 

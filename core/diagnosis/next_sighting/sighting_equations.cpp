@@ -68,7 +68,7 @@ std::vector<const EffectParameter*> parametersOfModel(const Measurement& measure
 class Assembly {
  public:
   /// `bent` are the second derivatives of every reading by the bent effect, `forms` the columns of the
-  /// possible forms; if `forms` is null, the effects are the only hypotheses.
+  /// possible forms. If `forms` is null, the effects are the only hypotheses.
   Assembly(const PossibleSightings& session, const SightingPlan& plan, const Linearised& all,
            const std::vector<const Effect*>& effects = {}, const Eigen::MatrixX3d& bent = {},
            const FormColumns* forms = nullptr)
@@ -93,11 +93,12 @@ class Assembly {
   const Eigen::MatrixX3d& m_secondDerivatives;
   const FormColumns* m_forms;
   std::vector<std::size_t> m_unknowns;
-  std::vector<const EffectParameter*> m_ofModel;      ///< unknown as well, in plausible sizes
+  std::vector<const EffectParameter*> m_ofModel;      ///< further unknowns, in plausible sizes
   std::vector<std::pair<ErrorTerm, double>> m_known;  ///< known values, subtracted from the residuals
   SightingEquations m_result;
   Index m_columns = 0;
-  /// The column of a term. `m_jumps` has the columns of jumps by first row, `m_slips` of wrong zeros by arc.
+  /// The column of a term. `m_jumps` has columns of jumps by first row, `m_slips` those of wrong zeros by
+  /// arc.
   struct TermColumn {
     ErrorTerm term;
     double size;
@@ -107,7 +108,7 @@ class Assembly {
   Index m_bent = 0;       ///< first column of the second derivatives
   Index m_firstForm = 0;  ///< first column of the forms
   std::vector<std::pair<std::size_t, Index>> m_jumps, m_slips;
-  std::map<std::size_t, Index> m_grossErrors;  ///< by reading
+  std::map<std::size_t, Index> m_grossErrors;  ///< column of the gross error of a reading
 
   bool isTaken(const LinearReading& reading) const {
     if (reading.isZero) return reading.arc != m_session.newArc;
@@ -178,7 +179,7 @@ class Assembly {
         m_grossErrors[i] = add(grossErrorId, 1, &grossErrorWidths(), odds.grossError / (2 * rows));
   }
 
-  /// Returns the plausible size, or the σ of the known size if smaller; notes the known value for `rowsOf`.
+  /// Returns the plausible size, or the σ of the known size if smaller; stores the known value for `rowsOf`.
   double sizeOf(const EffectParameter& parameter) {
     const auto known = knownOf(m_session.measurement, parameter);
     if (!known) return plausibleSize(parameter);
@@ -244,7 +245,7 @@ class Assembly {
   void eachVisit() {
     std::vector<MatrixXd> taken;
     std::vector<std::size_t> newZero;
-    std::map<std::pair<std::size_t, std::size_t>, MatrixXd> possible;  ///< by arc and sighting
+    std::map<std::pair<std::size_t, std::size_t>, MatrixXd> possible;  ///< rows by arc and sighting
     for (std::size_t first = 0, end = 0; first < m_all.readings.size(); first = end) {
       std::vector<std::size_t> own, sliders;
       std::map<std::size_t, std::vector<std::size_t>> further;

@@ -14,8 +14,8 @@ namespace alidade {
 struct Hypothesis {
   std::string_view cause;  ///< static text
   Eigen::Index first = 0, count = 0;
-  const std::vector<Width>* widths = nullptr;  ///< of the normal prior; null: the weight is exactly 1
-  double priorOdds = 0;                        ///< against no cause; 0: only U includes it
+  const std::vector<Width>* widths = nullptr;  ///< widths of the normal prior; null: the weight is exactly 1
+  double priorOdds = 0;                        ///< prior odds against no cause; 0 if it counts in U only
   bool isBent = false;  ///< two weights, whose second derivatives follow (`bentWeights`)
 };
 
@@ -37,12 +37,12 @@ struct SightingEquations {
   Eigen::VectorXd intersection;  ///< ∂Δd/∂unknown
   double intersectionAt = 0;     ///< Δd at the point of linearisation, mm
   std::vector<Hypothesis> hypotheses;
-  double priorOdds = 0;            ///< sum over all hypotheses, at any moment of the session
+  double priorOdds = 0;            ///< sum over all hypotheses, those of rows still to come included
   Eigen::Index effectColumns = 0;  ///< number of columns of effects, which come first
 };
 
-/// Linearises at the circles that fit the sightings taken. With `effectsOnly` the effects are the only
-/// hypotheses, which suffices for U and is faster.
+/// Fills `session`, and linearises at the circles that fit the sightings taken. With `effectsOnly` the
+/// effects are the only hypotheses, which suffices for U and is faster.
 SightingEquations sightingEquations(const Measurement& taken, const SightingPlan& plan,
                                     PossibleSightings& session, bool effectsOnly = false);
 

@@ -68,7 +68,7 @@ WeighedCauses::WeighedCauses(const SightingEquations& equations) : m_equations(e
   m_right = m_unknowns.matrixL().solve(normal.right);
   m_chiSquare = std::max(
       0.0, equations.residual.squaredNorm() + equations.priorResiduals.squaredNorm() - m_right.squaredNorm());
-  // The equations that the unknowns leave: the trace of R.
+  // The number of equations that the unknowns leave is the trace of R.
   m_degreesOfFreedom = static_cast<int>(std::lround(
       static_cast<double>(unknowns.rows()) - m_unknowns.matrixL().solve(unknowns.transpose()).squaredNorm()));
   ByCause causes;
@@ -113,8 +113,8 @@ VectorXd WeighedCauses::productsOf(Index first, Index count) const {
          m_eliminated.middleCols(first, count).transpose() * m_right;
 }
 
-/// Returns ln of the evidence of one cause against nothing, and fills in its weights: the mean over its
-/// widths, with their spread in the covariance.
+/// Returns ln of the evidence of a hypothesis against no cause, and fills in its weights. These are the mean
+/// over the widths; the covariance includes the spread over the widths.
 double WeighedCauses::weigh(const Hypothesis& hypothesis, Weighed& weighed) const {
   const MatrixXd gram = gramOf(hypothesis.first, hypothesis.count);
   VectorXd right = productsOf(hypothesis.first, hypothesis.count);

@@ -15,10 +15,10 @@ struct Weighed {
   std::string_view cause = {};  ///< empty: no cause
   double probability = 0;
   double logOdds = 0;               ///< ln of the odds of all hypotheses of the cause against no cause
-  Eigen::Index first = 0;           ///< its first column in the equations
+  Eigen::Index first = 0;           ///< first column of the hypothesis
   Eigen::VectorXd weights = {};     ///< mean, in plausible sizes, over all prior widths
-  Eigen::MatrixXd covariance = {};  ///< of the weights
-  double noise = 1;                 ///< in stated σ
+  Eigen::MatrixXd covariance = {};  ///< covariance of the weights
+  double noise = 1;                 ///< scale of the noise, in stated σ
 };
 
 /// The probabilities of the hypotheses, each of one cause alone, and the readings that they predict.

@@ -46,7 +46,7 @@ SightingEquations withCause(const SightingEquations& equations, const Weighed& c
   result.residual -= columnsIn(result.taken) * cause.weights;
   extend(result.taken);
   for (SightingRows& rows : result.possible) extend(rows);
-  // About the estimate, as wide as the cause is large: the readings decide.
+  // The prior is centred at the estimate and as wide as the cause is large, so that the readings decide.
   const Index added = slope.cols();
   const double width = std::max(1.0, cause.weights.head(added).norm());
   result.priorWeights = stacked(result.priorWeights, VectorXd::Constant(added, 1 / width));

@@ -8,10 +8,10 @@
 
 namespace alidade {
 
-/// The equations if `cause` is present for certain: its size is one more unknown, with a prior about its
-/// estimate as wide as that is large, and the hypotheses are further causes. `group` has the causes that no
-/// sighting separates from it: they are left out. If the cause is a jump or a wrong zero, the other ones are
-/// left out, too. Another gross error stays.
+/// The equations with `cause` present for certain. Its size is one more unknown; the prior is centred at the
+/// estimate and as wide as the estimate is large. The hypotheses are further causes, without `group`, the
+/// causes that no sighting separates from `cause`. A jump or wrong zero excludes all others; a further gross
+/// error stays.
 SightingEquations withCause(const SightingEquations& equations, const Weighed& cause,
                             const std::vector<std::string>& group);
 

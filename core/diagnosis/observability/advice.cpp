@@ -93,8 +93,8 @@ class Distances {
   }
 };
 
-/// Returns the columns of a suspect within `terms`, scaled to plausible sizes. `moments` are those of the
-/// jumps that follow the terms. Absent if the suspect is not among them.
+/// Returns the columns of a suspect as combinations of `terms`, scaled to plausible sizes. `moments` are
+/// those of the jumps that follow the terms. Absent for a jump at another moment.
 std::optional<MatrixXd> columnsOf(const PossibleCause& suspect, const Effect* effect,
                                   const VisibleTerms& terms, const std::vector<JumpMoment>& moments) {
   const Index size = terms.gram.rows();
@@ -129,9 +129,9 @@ Eigen::Vector2d sigmasOfTwoSightings(const Measurement& measurement) {
                                                statedSigma(measurement, ReadingKind::Vertical).radians());
 }
 
-/// Returns the effect of a suspect on a new sighting of the zero after the last visit of each position: both
-/// circles, in σ of the difference of two sightings. A drift has its rate times the time since the first
-/// sighting, a jump its size, a guideway effect 0.
+/// Returns the effect of a suspect on a new sighting of the zero after the last visit of each position. The
+/// result is for both circles, in σ of the difference of two sightings. A drift has its rate times the time
+/// since the first sighting, a jump its size, a guideway effect 0.
 VectorXd atTheZeros(const Measurement& measurement, const PossibleCause& suspect) {
   VectorXd left = VectorXd::Zero(2 * std::ssize(measurement.arcs));
   const Eigen::Vector2d sigmas = sigmasOfTwoSightings(measurement);
@@ -164,8 +164,8 @@ Advice bySightingZeros(const Measurement& measurement, const std::vector<Possibl
       .largestApart({Measure::ZeroSightedAgain});
 }
 
-/// Returns the effect of a suspect on the difference of two measured distances, in its σ. The σ of one
-/// distance is the stated one, or 1 mm.
+/// Returns the effect of a suspect on the difference of two measured distances, in σ of this difference. The
+/// σ of one distance is the stated one, or 1 mm.
 double atTheDistances(const Measurement& measurement, const PossibleCause& suspect) {
   constexpr double usualSigma = 1;  // mm
   const double sigma = measurement.sigmaDistance > 0 ? measurement.sigmaDistance : usualSigma;
@@ -223,8 +223,8 @@ std::optional<Advice> revealing(const std::vector<Detectability>& undetectable, 
   return advice;
 }
 
-/// Returns the new sighting of the zero that distinguishes a gross error from a look-alike jump: only a jump
-/// moves the zero. Both sightings have noise.
+/// Returns the advice to sight the zero again if a gross error looks like a jump: only a jump moves the zero.
+/// Both sightings of the zero have noise.
 std::optional<Advice> separatingFromJump(const Inquiry& inquiry, const std::vector<Cause>& causes) {
   for (const Cause& cause : causes) {
     if (cause.readings.size() != 1 || cause.indistinguishableFrom.empty()) continue;

@@ -14,21 +14,19 @@ namespace alidade {
 
 /// A suspect: one of several causes that these readings cannot separate.
 struct PossibleCause {
-  std::string id;           ///< of the catalogue; one jump for each position may be listed
-  Eigen::VectorXd weights;  ///< estimated, in plausible sizes
-  double odds = 1;          ///< relative to the first suspect
-  std::optional<std::size_t> arc =
-      {};  ///< for a jump between a zero and the first visit: the measurement's arc
+  std::string id;                         ///< identifier; one jump for each position may be listed
+  Eigen::VectorXd weights;                ///< estimated, in plausible sizes
+  double odds = 1;                        ///< relative to the first suspect
+  std::optional<std::size_t> arc = {};    ///< for a jump between a zero and the first visit: index of the arc
   std::optional<JumpMoment> moment = {};  ///< for a jump
 };
 
-/// Returns the readings that would separate the suspects. With fewer than two suspects it returns those that
-/// would reveal undetectable effects.
+/// Returns the readings that would separate the suspects. With fewer than two suspects, or more than 16, it
+/// returns those that would reveal undetectable effects.
 ///
-/// Two suspects are separated if, whichever is the cause, the trace of the other stays at least
-/// `clearlyDifferent` σ away. Each has the estimated size. The measure that most probably leaves one answer
-/// comes first; among equal ones the cheapest. Combinations are offered only if no single measure leaves one
-/// answer.
+/// Two suspects are separated if, whichever is the cause at its estimated size, every trace of the other is
+/// at least `clearlyDifferent` σ away. The measure that most probably leaves one answer comes first; among
+/// equal ones the cheapest. Combinations are offered only if no single measure leaves one answer.
 std::vector<Advice> adviceFor(const Inquiry& inquiry, const std::vector<PossibleCause>& suspects,
                               const std::vector<Cause>& causes,
                               const std::vector<Detectability>& undetectable);

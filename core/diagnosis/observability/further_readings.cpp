@@ -151,7 +151,7 @@ std::optional<FurtherReadings> withMoreArc(const GapModel& model, Measurement mo
   return further(Measure::MoreOfTheArc, std::move(more));
 }
 
-/// Returns the plan with the position at an axis repeated at its end, with the same visits. Drifts continue.
+/// Repeats the visits of the position at `axisDeg` at the end of the plan. Drifts continue.
 std::optional<FurtherReadings> withPositionAgain(const Measurement& plan, int axisDeg) {
   const auto first = arcAt(plan, axisDeg);
   if (!first || std::ranges::count(plan.arcs, axisDeg, &ArcMeasurement::axisDeg) > 1) return std::nullopt;
@@ -224,7 +224,7 @@ void eachFurtherReadings(const GapModel& model, const std::function<void(const F
     for (const int axisDeg : {0, 180}) offer(withPositionAgain(plan, axisDeg));
 }
 
-/// Plans of a million rows fill hundreds of megabytes, so each is released after its use.
+/// Plans of a million rows fill hundreds of megabytes, so each plan is released after its use.
 void eachCombination(const GapModel& model, const std::function<void(const FurtherReadings&)>& take) {
   const auto offer = offering(take);
   offer(together(withBothFaces(rowsWithoutError(model)), withWayBack));

@@ -55,7 +55,7 @@ std::vector<Detectability> undetectableEffects(const Leftover& leftover, const C
 
 namespace {
 
-/// Returns the arc of a jump, and whether it occurs before the first sighting there.
+/// Returns the arc of a jump, and whether the jump lies between the zero and the first sighting of this arc.
 std::pair<std::size_t, bool> placeOf(const Component& jump, const Measurement& measurement) {
   if (const auto arc = jump.slippedArc()) return {*arc, true};
   const std::size_t first = jump.jumpMoment()->first;

@@ -20,7 +20,7 @@ struct Detectability {
   double influence = 0;     ///< change of Δd to first order, mm, ≥ 0
   double visible = 0;       ///< length of its trace in the readings, second order included if bent, σ
 
-  /// The influence exceeds `negligibleInfluence`, and the trace is below `clearlyDifferent` σ.
+  /// Whether the influence exceeds `negligibleInfluence` and the trace is below `clearlyDifferent` σ.
   bool isUndetectable() const;
 };
 

@@ -24,7 +24,7 @@ struct VisibleTerms {
 /// Sums up one set of readings, whose equations come in pieces of whole visits.
 class VisibleTermsOfSet {
  public:
-  /// In the sum only the entries of `terms` are nonzero. Entries for the horizontal and vertical part of a
+  /// Only the entries of `terms` are nonzero in the sum. Entries for the horizontal and vertical part of a
   /// jump (rad) at each of `moments` follow. The set must contain the derivatives by both parts.
   explicit VisibleTermsOfSet(std::vector<ErrorTerm> terms, std::vector<JumpMoment> moments = {})
       : m_terms(std::move(terms)), m_moments(std::move(moments)) {}
@@ -36,8 +36,8 @@ class VisibleTermsOfSet {
  private:
   std::vector<ErrorTerm> m_terms;
   std::vector<JumpMoment> m_moments;
-  std::vector<Prior> m_priors;  ///< of the unknowns that are not exactly known, common to all pieces
-  Eigen::MatrixXd m_gram;       ///< of these unknowns, the terms and the jumps, arc angles eliminated
+  std::vector<Prior> m_priors;  ///< priors of the uncertain unknowns, common to all pieces
+  Eigen::MatrixXd m_gram;       ///< Gram matrix of these unknowns, terms and jumps, without arc angles
 };
 
 /// Computes the visible terms of a set in one piece.

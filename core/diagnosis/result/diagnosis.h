@@ -20,7 +20,7 @@ enum class DiagnosisVerdict {
   WithinNoise,     ///< nothing to explain
   SingleCause,     ///< one cause without look-alikes in these readings
   Ambiguous,       ///< one cause of a group that these readings cannot separate
-  SeveralCauses,   ///< each in `causes`, or more than can be separated
+  SeveralCauses,   ///< all in `causes`, or more causes than these readings can separate
   NotInCatalogue,  ///< the gap is real, and no effect or combination explains it
 };
 
@@ -41,8 +41,8 @@ struct Shrinkage {
   double inSample = 0;  ///< 1 − rms after/rms before
   double ofExcess = 0;  ///< 1 − (χ² − f after)/(χ² − f before)
   /// 1 − rms after/rms before on readings that were held out of the fit of circles and causes. The set of
-  /// causes, their moments and their readings still come from all readings. Not a number if too few readings
-  /// exist.
+  /// causes, the moments of jumps and the readings with gross errors still come from all readings. Not a
+  /// number if too few readings exist.
   double heldOut = 0;
 };
 
@@ -63,23 +63,23 @@ struct ReadingDeviation {
   double size = 0;
 };
 
-/// The known value of a number of an effect, and its value from these readings.
+/// The known value of an effect's number, and the value of this number from these readings.
 struct KnownCheck {
   std::string effect;      ///< identifier in the catalogue
   std::string name, unit;  ///< of the number, as in the catalogue
   double known = 0, sigmaKnown = 0;
   std::string from, date;       ///< as stated in the session
   double value = 0, sigma = 0;  ///< from the readings alone, with the causes found; valid if `isSeen`
-  bool isSeen = false;          ///< whether the readings determine it
+  bool isSeen = false;          ///< whether the readings determine the number
   double staleChance = 0;       ///< probability that the known value is out of date, 0…1
 };
 
 struct Cause {
   std::string effect;      ///< identifier in the catalogue
-  double probability = 0;  ///< probability that it is among the causes, 0…1
+  double probability = 0;  ///< probability that the effect is among the causes, 0…1
   std::vector<CauseParameter> parameters;
   std::vector<std::string> indistinguishableFrom;  ///< identifiers
-  std::vector<ReadingDeviation> readings;          ///< for a gross_error
+  std::vector<ReadingDeviation> readings;          ///< the misread ones of a gross error
   bool isStale = false;                            ///< the known value is out of date: see `Diagnosis::known`
   /// Identifiers of further look-alikes, which only the known value excludes.
   std::vector<std::string> unlessStale = {};
@@ -124,7 +124,7 @@ struct UncertaintyShare {
   enum class From { Scatter, Stated, Default, Known, Diagnosis };  ///< origin of its size
 
   UncertaintySource source = UncertaintySource::PlausibleSizes;
-  std::string effect = {};  ///< identifier, with PlausibleSizes; empty: other possible explanations
+  std::string effect = {};  ///< identifier, for PlausibleSizes; empty: other possible explanations
   Type type = Type::B;
   From from = From::Stated;
   double sigma = 0;                       ///< mm
@@ -154,7 +154,7 @@ struct GapStep {
   std::string effect;  ///< the cause added
   GapSize size;        ///< the gap after this step
   std::optional<IntersectionEstimate> intersection;
-  std::vector<Closure> closures = {};  ///< of the session's own model after this step
+  std::vector<Closure> closures = {};  ///< closures of the session's own model after this step
 };
 
 /// A closure of the session's own model, and of the model with the causes.
@@ -177,7 +177,7 @@ struct UndetectableEffect {
 
 /// Undetectable jumps (knocks of the tripod) within one position.
 struct UndetectableJump {
-  int axisDeg = 0, time = 1;  ///< of the position, as `ArcMeasurement`
+  int axisDeg = 0, time = 1;  ///< the position, as in `ArcMeasurement`
   bool isAfterZero = false;   ///< between the pointing zero and the first sighting; otherwise during the
                               ///< readings
   double influence = 0;       ///< change of Δd by the plausible size, mm, ≥ 0
@@ -192,7 +192,7 @@ struct Unexplained {
   double sigma = 0;   ///< possible change of Δd by unexplained misclosures, 1σ, mm
 };
 
-/// A measure: a way to take more readings.
+/// A way to take more readings.
 enum class Measure {
   BothFaces,
   WayBack,  ///< the visits repeated in reverse order, as another round
@@ -257,7 +257,7 @@ struct Diagnosis {
   std::vector<GapShare> where;
   /// First the known sizes (`knownId`), if any; then one step for each cause, gross errors first.
   std::vector<GapStep> steps;
-  /// Δd of the session's own model; then with the causes found, averaged over alternatives (`Beyond`).
+  /// Δd of the session's own model; Δd with the causes found, averaged over alternatives (`Beyond`).
   std::optional<IntersectionEstimate> before, afterwards;
   /// Δd with all possible effects: the result of the measurement.
   std::optional<MeasuredIntersection> measured;
@@ -269,12 +269,12 @@ struct Diagnosis {
   /// it; the most plausible first. Empty without a reference with its σ.
   std::vector<Required> whatItWouldTake;
   std::vector<Advice> advice;  ///< the most effective first
-  /// Present on request; the first entry is without further measures (`attainableUncertainties`). Empty with
+  /// Filled on request; the first entry is without further measures (`attainableUncertainties`). Empty with
   /// NotInCatalogue.
   std::vector<AttainableUncertainty> attainable;
   std::optional<GapShape> shape;           ///< with NotInCatalogue
   std::vector<FoundForm> forms;            ///< with NotInCatalogue; empty if none is better than the pattern
-  std::vector<ReadingDeviation> readings;  ///< all readings of the fit; `size` is the residual before
+  std::vector<ReadingDeviation> readings;  ///< all readings of the fit; `size` is the residual without causes
 };
 
 /// Whether a closure fails even with the causes found.

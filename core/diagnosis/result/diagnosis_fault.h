@@ -12,7 +12,7 @@ namespace alidade {
 
 /// No arc could be fitted.
 struct NoModel {
-  std::optional<FitFinding> why = {};  ///< an Error; absent without readings
+  std::optional<FitFinding> why = {};  ///< a finding of severity Error; absent without readings
 };
 
 /// An unknown identifier was to be excluded.

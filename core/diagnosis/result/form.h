@@ -10,7 +10,7 @@
 
 namespace alidade {
 
-// A form describes an uncatalogued effect as carrier × function of an argument. It describes the readings
+// A form describes an uncatalogued effect as carrier × function of an argument. A form describes the readings
 // without naming a cause.
 
 /// Function of the argument x, in this order: cos kx and sin kx; exp(−½((x − at)/width)²); 1 beyond `at`;
@@ -42,7 +42,7 @@ struct Form {
   FormFunction function = FormFunction::Harmonic;
   FormArgument of = FormArgument::S;
   bool turnsWithFace = false;  ///< opposite sign in face 2, like an error of a circle or the line of sight
-  int order = 0;               ///< of a harmonic of an angle, or of a power; otherwise 0
+  int order = 0;               ///< order of a harmonic of an angle, or of a power; otherwise 0
   /// `at` and `width` (rad, or fraction of the session), `tau` (fraction) or `cycles` (per session).
   std::array<double, 2> numbers{};
 
@@ -55,7 +55,7 @@ struct Form {
   bool isOfAngle() const {
     return of != FormArgument::T && of != FormArgument::Round && function != FormFunction::Hysteresis;
   }
-  /// Whether it has an amplitude for each place or step.
+  /// Whether the form has an amplitude for each place or step.
   bool isFree() const { return function == FormFunction::Walk || function == FormFunction::PerPlace; }
 };
 
@@ -83,20 +83,20 @@ struct FormShrinkage {
   int heldOutReadings = 0;
 };
 
-/// The value of a form at a sighting, mm or arcseconds; in face 1 if the sign changes with the face.
+/// The value of a form at a sighting, mm or arcseconds; reduced to face 1 if the sign changes with the face.
 struct FormPoint {
   std::size_t position = 0, row = 0;  ///< of the session
-  bool isVertical = false;            ///< whether it is the vertical circle of an orientation
+  bool isVertical = false;            ///< for an orientation: values of the vertical circle
   double at = 0;                      ///< argument: degrees, share of the session, or ±1
   double before = 0, after = 0;       ///< partial residual without this form; residual with it
   double heldOut = 0;  ///< `after` as predicted without this sighting; not a number if it was never held out
 };
 
 struct FormTrace {
-  std::vector<FormPoint> points = {};  ///< of the sightings that show the form sharply
-  /// Argument, ascending, and two values: the form horizontal and vertical for an orientation, else equal.
+  std::vector<FormPoint> points = {};  ///< sightings with at most five times the least σ
+  /// Argument, ascending, and two values of the form: horizontal and vertical for an orientation, else equal.
   std::vector<std::array<double, 3>> curve = {};
-  double sigma = 0;  ///< of the sharpest of these sightings, by the stated noise
+  double sigma = 0;  ///< least σ of a form's value from one sighting, with the stated noise
 };
 
 struct FoundForm {
@@ -105,7 +105,7 @@ struct FoundForm {
   std::string formula;
   /// Coefficients of `formula`: A, B, …, mm or arcseconds.
   std::vector<FormNumber> coefficients = {};
-  std::vector<double> places = {};  ///< of the coefficients of a free form: rad, or share of the session
+  std::vector<double> places = {};  ///< places of a free form's coefficients: rad, or share of the session
   std::vector<FormNumber> parameters = {};  ///< shape numbers and amplitudes
   double probability = 0;                   ///< probability among all forms and patterns, 0…1
   std::vector<FormLookAlike> indistinguishableFrom = {};

@@ -10,7 +10,7 @@
 
 namespace alidade {
 
-/// Pointing and reading both circles, minutes.
+/// Time for pointing and for reading both circles, minutes.
 inline constexpr double minutesOfPointing = 0.6;
 
 /// What a sighting requires besides pointing at its place.
@@ -39,12 +39,12 @@ struct SightingPlace {
   Angle s;
 };
 
-/// A candidate for the next sighting. If it turns the axis, it includes the sighting of the new zero.
+/// A candidate for the next sighting. If the axis is turned, the sighting of the new zero is included.
 struct NextSighting {
   int axisDeg = 0, point = 0, face = 1, round = 1;
   bool turnsAxis = false;
   double minutes = 0;
-  double ofCauses = 0;               ///< Σ √(wᵢ wⱼ)(1 − BCᵢⱼ)
+  double ofCauses = 0;               ///< Σ √(wᵢ wⱼ)(1 − BCᵢⱼ), see next_sighting.h
   double ofUncertainty = 0;          ///< −ln(U after/U before)
   std::string one = {}, other = {};  ///< the two causes that it separates most; empty: no cause
 
@@ -59,7 +59,7 @@ struct SightingPlan {
   std::vector<SightingPlace> places;
   std::vector<int> faces = {1, 2};
   bool readsSlider = false;
-  std::size_t rows = 1;  ///< of the whole planned session, to whose duration a stated drift refers
+  std::size_t rows = 1;  ///< rows of the whole planned session; a stated drift refers to its duration
   bool canTurnAxis = true;
   SightingMinutes minutes = {};
 };

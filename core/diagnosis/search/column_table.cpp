@@ -21,7 +21,7 @@ void ColumnTable::turn(std::size_t component) {
   const auto gram = m_candidates[component].gram();
   auto squares = m_squares.segment(first(component), count(component));
   const bool bends = m_candidates[component].response() == Response::Bent;
-  if (bends || gram.cols() <= 2) {  // already tridiagonal, or not to be turned
+  if (bends || gram.cols() <= 2) {  // bent: not to be turned; two columns: already tridiagonal
     squares = gram.diagonal();
     if (gram.cols() == 2) m_subdiagonal[first(component)] = gram(0, 1);
     return;

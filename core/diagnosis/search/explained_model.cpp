@@ -8,8 +8,8 @@ namespace alidade {
 
 namespace {
 
-/// Iterates the noise until χ² agrees with it. Larger noise gives more weight to prior knowledge, which
-/// changes χ².
+/// Scales the noise until χ²/f is 1. Iterates, because larger noise gives more weight to prior knowledge,
+/// which changes χ².
 void findNoise(GapModel& model, const GapModel& base) {
   constexpr int mostRounds = 20;
   constexpr double tolerance = 1e-9;

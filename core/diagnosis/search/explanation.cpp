@@ -90,8 +90,8 @@ void normalise(std::vector<Explanation>& sets) {
     set.logBayesFactor -= base;
     most = std::max(most, set.logPosteriorOdds);
   }
-  // Relative to the most likely set: the logarithm of the sum may be millions, and its rounding would spoil
-  // the probabilities.
+  // Odds relative to the most likely set are at most 1. The logarithms themselves may be millions, and their
+  // rounding would spoil the probabilities.
   for (Explanation& set : sets) sum += set.chance = std::exp(set.logPosteriorOdds - most);
   for (Explanation& set : sets) set.chance /= sum;
   std::ranges::sort(sets, std::greater{}, &Explanation::logPosteriorOdds);
@@ -111,8 +111,8 @@ void addNoisy(std::vector<Explanation>& all, Search& search, const Leftover& lef
   Explanation noiseAlone;
   noiseAlone.chiSquare = chiSquare;
   weigh(noiseAlone, scaleOf(chiSquare));
-  // Larger noise gains most with the empty set, since an explanation leaves less for it to explain. An
-  // explanation gains at most a further factor of the noise scale for each of its few weights.
+  // Larger noise gains most with the empty set, since an explanation leaves a smaller χ². An explanation
+  // gains at most a further factor of the noise scale for each of its few weights.
   if (noiseAlone.logPosteriorOdds < all.front().logPosteriorOdds + std::log(outOfQuestion)) {
     all.push_back(std::move(noiseAlone));
     return;
@@ -137,7 +137,7 @@ void addNoisy(std::vector<Explanation>& all, Search& search, const Leftover& lef
 }  // namespace
 
 bool Part::isSupported() const {
-  constexpr double something = 0.1;  // natural logarithm
+  constexpr double something = 0.1;  // ln Bayes factor
   return logGain > something;
 }
 

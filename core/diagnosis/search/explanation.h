@@ -20,7 +20,7 @@ struct Part {
   std::size_t component = 0;  ///< index into the candidates
   double width = 1;           ///< most likely prior width, in plausible sizes
   Eigen::VectorXd weights;    ///< in plausible sizes
-  double logGain = 0;         ///< natural logarithm of the evidence it adds to the previous parts
+  double logGain = 0;         ///< natural logarithm of its Bayes factor, given the previous parts
 
   /// Whether the evidence for the part exceeds rounding errors.
   bool isSupported() const;
@@ -30,9 +30,9 @@ struct Explanation {
   std::vector<Part> parts;
   bool noisy = false;           ///< with noise larger than stated
   double noise = 1;             ///< most likely scale of the noise
-  double logPosteriorOdds = 0;  ///< prior and evidence against the empty set, natural logarithm
-  double logBayesFactor = 0;    ///< without the prior
-  double chiSquare = 0;         ///< after the explanation, with the stated σ
+  double logPosteriorOdds = 0;  ///< natural logarithm of prior odds × Bayes factor, against the empty set
+  double logBayesFactor = 0;    ///< the same without the prior odds
+  double chiSquare = 0;         ///< χ² after the explanation, with the stated σ
   double chance = 0;            ///< probability among the explanations found, 0…1
   bool shaped = false;          ///< contains a pattern without a named cause
 
@@ -48,18 +48,18 @@ struct SearchOptions {
   PriorOdds odds = {};
   bool noise = true;  ///< noise may be larger than stated
   std::size_t beam = 6;
-  std::size_t mostParts = 3;  ///< gross errors not counted
-  std::size_t mostGrossErrors = 6;
-  std::stop_token stop = {};  ///< on a stop request the search ends with its results so far
+  std::size_t mostParts = 3;        ///< of a set, unless all parts are gross errors
+  std::size_t mostGrossErrors = 6;  ///< of a set that has no other parts
+  std::stop_token stop = {};        ///< on a stop request the search ends with its results so far
 };
 
 /// Returns the explanations, the best first. The empty set with and without larger noise is always included.
 std::vector<Explanation> explain(const Leftover& leftover, const Candidates& candidates,
                                  const SearchOptions& options = {});
 
-/// Returns the natural logarithm of the evidence integrated over the noise. It is relative to the most likely
-/// noise of the explanation, or to the stated noise if it is not noisy. `chiSquare` (stated σ) is its
-/// remaining χ², with the given degrees of freedom.
+/// Returns the natural logarithm of the evidence integrated over the noise. The evidence is relative to that
+/// at the most likely noise of the explanation, or at the stated noise if `noisy` is false. `chiSquare`
+/// (stated σ) is what the explanation leaves, with these degrees of freedom.
 double logEvidenceOfNoise(const Explanation& explanation, double chiSquare, double degreesOfFreedom);
 
 /// Fits one component alone with the stated noise: its evidence without prior, and its weights. `residual` is

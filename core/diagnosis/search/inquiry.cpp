@@ -26,8 +26,8 @@ bool considered(const DiagnosisOptions& options, std::string_view id) {
   return std::ranges::find(options.without, id) == options.without.end();
 }
 
-/// Prior odds that zeros sight different marks, if the session does not state a common mark and they differ
-/// too much for one (`areZerosInDoubt`).
+/// Prior odds that the zeros sight different marks. They apply if the session does not state a common mark
+/// and the zeros differ too much for one (`areZerosInDoubt`).
 constexpr double doubtfulZeros = 1;
 
 /// Prior odds of a rare effect relative to those of other effects.
@@ -110,8 +110,8 @@ Linearised withReference(Linearised equations, const GapModel& base, const Diagn
   return equations;
 }
 
-/// Returns the most likely causes without patterns, if one of them is very large. The equations were
-/// linearised at a fit without these causes, far from the solution.
+/// Returns the most likely causes without patterns, if one of them is very large. The equations were then
+/// linearised far from the solution, at a fit without these causes.
 std::optional<Explanation> largeCauses(const Inquiry& inquiry) {
   constexpr double large = 100;  // σ over all readings
   Explanation causes = inquiry.explanations.front();
@@ -158,10 +158,10 @@ Linearised around(const GapModel& base, const GapModel& withCauses) {
   return equations;
 }
 
-constexpr double knownNoiseTo = 0.2;  // natural logarithm
+constexpr double knownNoiseTo = 0.2;  // change of ln noise below which the search is not repeated
 
-/// Returns the scale of the noise if it is almost certainly larger than stated; otherwise 1. Pointing zeros
-/// with stated σ then get a larger weight.
+/// Returns the scale of the noise if the model is closed and the noise almost certainly larger than stated;
+/// otherwise 1. Pointing zeros with stated σ then get a larger weight.
 double knownNoise(const Inquiry& inquiry) {
   constexpr double certain = 0.95;
   const bool isLarger = inquiry.base.options.isClosed && inquiry.explanations.front().noisy &&

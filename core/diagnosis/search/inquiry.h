@@ -42,11 +42,11 @@ struct Inquiry {
   double probabilityOf(std::string_view id) const;
 };
 
-/// On a stop request it returns early with the results so far.
+/// Searches for explanations of the model's gap. On a stop request, returns early with the results so far.
 Inquiry inquire(GapModel model, const DiagnosisOptions& options, const std::stop_token& stop);
 
-/// Returns the reason if the readings do not determine the model with known sizes, for example because a size
-/// is far off. Absent otherwise.
+/// Returns the reason if the readings do not determine the model with known sizes, for example because a
+/// known size is grossly wrong. Absent otherwise.
 std::optional<NoModel> undetermined(const Inquiry& inquiry);
 
 /// Returns a reading of the model as a deviation; `size` in arcseconds.

@@ -16,7 +16,7 @@ constexpr double usualPause = 4, pauseKnownTo = 4;  // rows
 
 struct Drift {
   ErrorTerm step;   ///< the jump term of the drift's circle
-  double size = 0;  ///< over the session, rad
+  double size = 0;  ///< change of the circle over the session, rad
 };
 
 std::vector<Drift> driftsOf(const Explanation& explanation, const Candidates& candidates) {

@@ -15,7 +15,7 @@ namespace {
 
 constexpr double rounding = 1e-12;  // error of squared lengths, in variances of a reading
 
-/// Returns a hash whose sum identifies a set (splitmix64).
+/// Returns a hash of a component (splitmix64); the sum of the hashes identifies a set.
 std::uint64_t keyOf(std::size_t component) {
   std::uint64_t key = (component + 1) * 0x9e3779b97f4a7c15U;
   key = (key ^ (key >> 30)) * 0xbf58476d1ce4e5b9U;
@@ -266,7 +266,7 @@ Search::State Search::with(const State& state, const Growth& growth, bool inAnyC
   if (!inAnyCase && !mayGrow(next)) return next;
 
   if (!m_products.contains(component)) m_products[component] = m_table.productsOf(component);
-  // In terms of P: the component's columns after elimination of the taken ones, and their directions.
+  // As factors of P: the component's columns without the eliminated directions, and the new directions.
   const Index parts = state.taken.rows(), directions = state.taken.cols();
   MatrixXd own(parts + count, count);
   own << -state.taken * before.transpose(), MatrixXd::Identity(count, count);

@@ -23,8 +23,8 @@ class Search {
   Explanation madeOf(const std::vector<std::size_t>& components, double variance);
 
  private:
-  /// A set of components, eliminated from the leftover. P are the products of all columns with the columns of
-  /// those components; sets share them.
+  /// A set of components, eliminated from the leftover. P is the matrix of the products of all columns with
+  /// the columns of these components.
   struct State {
     Explanation found;
     /// The products of all columns with the remaining leftover are those with the leftover, minus P `off`.
@@ -34,13 +34,13 @@ class Search {
     /// direction.
     Eigen::MatrixXd taken;
     int grossErrors = 0;
-    std::uint64_t key = 0;  ///< of the set, independent of the order
+    std::uint64_t key = 0;  ///< hash of the set, independent of the order
   };
   /// Products of some columns with the remaining leftover and the eliminated directions of a state.
   struct ColumnProductsView {
     Eigen::Ref<const Eigen::VectorXd> right;   ///< their products with the remaining leftover
-    Eigen::Ref<const Eigen::MatrixXd> shared;  ///< with the eliminated directions; the Gram matrix of
-                                               ///< these columns is reduced by shared sharedᵀ
+    Eigen::Ref<const Eigen::MatrixXd> shared;  ///< their products with the eliminated directions,
+                                               ///< which reduce their Gram matrix by shared sharedᵀ
   };
   struct ColumnProducts {
     Eigen::VectorXd right;
@@ -78,10 +78,10 @@ class Search {
   Eigen::ArrayXd mostOfSingles(const Candidates::Group& group, const ColumnProducts& all) const;
   Eigen::ArrayXd mostOfPairs(const Candidates::Group& group, const ColumnProducts& all) const;
   TurnedColumns turnedColumns(std::size_t component, const ColumnProductsView& own) const;
-  /// Gain of a component from its columns.
+  /// Gain of a component from the products of its columns.
   Gain gainFor(std::size_t component, const ColumnProductsView& own) const;
   State nothing() const;
-  /// With `inAnyCase` the state is prepared for growth even if the search would add nothing.
+  /// With `inAnyCase` the new state can grow even if the search would not grow it.
   State with(const State& state, const Growth& growth, bool inAnyCase = false);
   /// Marks a state whose last component can be neither evaluated nor eliminated.
   State makeImpossible(State state) const;
