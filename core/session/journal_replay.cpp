@@ -298,8 +298,8 @@ bool JournalReplay::isLaterLeft(const std::string& field, const std::string& tex
   });
 }
 
-/// `toldRow` before the first seal: texts are filled in, notes change, and empty rows come and go without an
-/// entry, so the row may have another index. An entry without texts describes an empty row.
+/// `rowOfEntry` before the first seal: texts are filled in, notes change, and empty rows come and go without
+/// an entry, so the row may have another index. An entry without texts describes an empty row.
 JournalReplay::EntryRow JournalReplay::openRow(const Json& rows, const Path& path, std::size_t index) const {
   const Json recorded = rowOfText(m_journal[index].to);
   const bool isBlankRow = isBlank(readingOf(recorded));
