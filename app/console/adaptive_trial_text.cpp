@@ -83,7 +83,7 @@ std::string adaptiveTrialText(const AdaptiveTrials& trials) {
                                                 "sightings", "minutes"}};
     for (const auto& [kind, of] : kinds) rows.push_back(kindRow(kind, of));
     rows.push_back(kindRow("all", all));
-    text += "Until a cause is named, in the order of the protocol and by what each sighting tells\n" +
+    text += "Until a cause is named, in the order of the protocol and by the worth of each sighting\n" +
             alignedColumns(rows);
   }
   if (!trials.clean.empty())

@@ -28,7 +28,8 @@ std::string discoveryText(const std::string& table, const Discovery& discovery) 
                      fixedText(discovery.rms, 2) + "″ outside the base columns, reduced χ² " +
                      fixedText(discovery.reducedChiSquare, 2) + "\n";
   if (discovery.noise > 1)
-    text += "Beside the forms they scatter " + fixedText(discovery.noise, 2) + " times as much as stated.\n";
+    text += "With the forms, the residuals scatter " + fixedText(discovery.noise, 2) +
+            " times as much as stated.\n";
   if (discovery.forms.empty()) return text + "No form is 20 times as likely as none.\n";
   return text + formsText(discovery.forms);
 }

@@ -46,7 +46,7 @@ Result<std::string> installedProgram(const std::string& name) {
   const std::filesystem::path own = std::filesystem::read_symlink("/proc/self/exe", problem);
   const std::filesystem::path program = own.parent_path() / name;
   if (problem || access(program.c_str(), X_OK) != 0)
-    return Problem{"this needs the program " + name + " beside alidade-cli: install it there"};
+    return Problem{"this needs the program " + name + " in the folder of alidade-cli: install it there"};
   return program.string();
 }
 

@@ -39,7 +39,7 @@ std::string effectsText(const PlanReview& review) {
   Rows rows{{"  effect", "plausible", "shows by (σ)", "moves Δd by (mm)", ""}};
   for (const PlannedEffect& effect : review.effects)
     rows.push_back({"  " + causeName(effect.effect), plausibleSizeText(effect.effect), visibilityText(effect),
-                    influenceText(review, effect), effect.undetectable ? "unseen" : ""});
+                    influenceText(review, effect), effect.undetectable ? "undetectable" : ""});
   return "\nEffects of plausible size\n" + alignedColumns(rows);
 }
 
@@ -51,8 +51,8 @@ std::string lookAlikesText(const PlanReview& review) {
     for (const LookAlike& other : effect.lookAlikes) names.push_back(causeName(other.effect));
     text += paragraph("  " + causeName(effect.effect) + ": " + listed(names), 4);
   }
-  return text.empty() ? "\nWhat shows can be told apart.\n"
-                      : "\nWhat shows but could not be told from others\n" + text;
+  return text.empty() ? "\nAll detectable effects can be distinguished.\n"
+                      : "\nDetectable effects that cannot be distinguished from others\n" + text;
 }
 
 Json effectJson(const PlanReview& review, const PlannedEffect& effect, const Measurement& measurement) {

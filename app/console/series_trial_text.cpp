@@ -63,11 +63,11 @@ std::string seriesTrialText(const std::vector<ScoredSeries>& series) {
       heading(std::to_string(series.size()) + " series") + "\n" +
       alignedColumns({scoreRow("named, or in its group", summary.named),
                       scoreRow("named first", summary.first), scoreRow("right owner", summary.owner),
-                      scoreRow("told as of no catalogue", summary.unknown),
+                      scoreRow("named as uncatalogued", summary.unknown),
                       scoreRow("silent where nothing is shared", summary.silent),
                       scoreRow("right though a session is spoiled", summary.spoiled),
-                      scoreRow("the spoiled session told", summary.spoilers),
-                      scoreRow("larger noise told of several sessions", summary.noiseOfAll),
+                      scoreRow("spoiled session named", summary.spoilers),
+                      scoreRow("larger noise named for several sessions", summary.noiseOfAll),
                       scoreRow("named by a session alone", summary.alone)});
   for (const ScoredSeries& one : series)
     if (one.seal.kind == "none" ? one.isAlarm : !one.isNamed || !one.isOwnerRight)

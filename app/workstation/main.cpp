@@ -98,7 +98,8 @@ class OptionsOfFiles {
       QStringLiteral("draft"),
       QStringLiteral("Make a certificate in spite of missing entries, which are “not stated” in it.")};
   QCommandLineOption m_key = option(
-      "sign-key", "Sign the report or certificate with this private key (PEM), beside it as *.p7s.", "KEY");
+      "sign-key", "Sign the report or certificate with this private key (PEM), in a file *.p7s next to it.",
+      "KEY");
   QCommandLineOption m_certificate = option("sign-certificate", "The key's certificate (PEM).", "CERT");
   QCommandLineOption m_passphrase =
       option("sign-passphrase-file",

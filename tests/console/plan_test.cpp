@@ -57,7 +57,7 @@ TEST(Plan, SaysItInWordsToo) {
   const ProgramRun run = alidadeCli({"plan", paperSession});
   EXPECT_EQ(run.exitCode, 0) << run.err;
   EXPECT_THAT(run.out, HasSubstr("vertical drift"));
-  EXPECT_THAT(run.out, HasSubstr("unseen"));
+  EXPECT_THAT(run.out, HasSubstr("undetectable\n"));
   EXPECT_THAT(run.out, HasSubstr("Slider readings, both faces and a return run (in a new session)"));
   EXPECT_THAT(run.out, HasSubstr("\nTypical U for this plan: "));
   EXPECT_LT(run.out.find("What to measure next"), run.out.find("would show"));

@@ -118,7 +118,7 @@ TEST(ReportCall, SaysWhichProgramItLacks) {
   const ProgramRun run = runProgram({.program = alone, .arguments = {"report", session}});
   EXPECT_EQ(run.exitCode, 1);
   EXPECT_THAT(run.out, IsEmpty());
-  EXPECT_THAT(run.err, HasSubstr("needs the program alidade beside alidade-cli"));
+  EXPECT_THAT(run.err, HasSubstr("needs the program alidade in the folder of alidade-cli"));
   EXPECT_THAT(alidadeCli({"--help"}).out, HasSubstr("report"));
 }
 

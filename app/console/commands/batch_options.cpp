@@ -14,7 +14,7 @@ void addBatchOptions(CLI::App& command, BatchOptions& options) {
       ->check(wholeFrom(0, mostThreads))
       ->capture_default_str();
   command.add_flag("--progress", options.progress,
-                   "Tell on stderr how many files are done, even where that is no terminal");
+                   "Report on stderr how many files are done, even if stderr is no terminal");
   command.add_flag("--json", options.json, "Print one JSON document; of many files, one line for each");
 }
 

@@ -126,7 +126,7 @@ Result<CertificateAnswer> runCertificate(const CertificateRequest& request) {
     if (problem.where.field == "measured_on") problem.what += ", or give --measured-on";
     if (problem.where.field.empty())
       problem.what +=
-          ". Country and place are --country and --performed-at, the rest stands in the session; "
+          ". Country and place are --country and --performed-at, the session states the rest; "
           "--draft makes one without";
     return problem;
   }

@@ -79,7 +79,7 @@ void addFitCommand(CLI::App& app, FitRequest& request) {
   constexpr std::size_t fewestDraws = 1000, mostDraws = 10000000;
   CLI::Option* draws = fit->add_option("--monte-carlo", request.monteCarlo,
                                        "Check the uncertainty by this many draws of all readings (JCGM 101); "
-                                       "auto: as many as it takes to tell")
+                                       "auto: as many as the result needs")
                            ->check([number = wholeFrom(fewestDraws, mostDraws)](const std::string& text) {
                              return text == asManyAsItTakes ? std::string() : number(text);
                            });

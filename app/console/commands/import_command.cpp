@@ -30,7 +30,7 @@ namespace alidade::console {
 namespace {
 
 constexpr const char* aboutMarks =
-    "How the file of an instrument tells more than angles, in GSI by code blocks, in M5 and R4/R5 by texts, "
+    "How the file of an instrument states more than angles, in GSI by code blocks, in M5 and R4/R5 by texts, "
     "in\n"
     "SDR, JobXML and LandXML by notes:  0 or 180 (or AXIS0, AXIS180) is the position of the axis for what "
     "follows, ROUND2 the round;\n"
@@ -40,13 +40,14 @@ constexpr const char* aboutMarks =
 constexpr const char* aboutCsv =
     "horizontal and vertical are needed, point ZERO is the pointing zero. A unit in a name, such as Hz "
     "[gon],\n"
-    "holds for the plain numbers below it. What the session then still lacks is told on stderr and can be\n"
+    "holds for the plain numbers below it. What the session then still lacks is reported on stderr and can "
+    "be\n"
     "typed in the window.";
 
 std::string about() {
   std::string columns = "axis";
   for (const RowField& field : rowFields) columns += ", " + std::string(field.key);
-  return readableFormatsSentence() + "The content tells which.\n" + aboutMarks + columns + ";\n" + aboutCsv;
+  return readableFormatsSentence() + "The content decides which.\n" + aboutMarks + columns + ";\n" + aboutCsv;
 }
 
 /// Writes the value of an option into its field of the session.

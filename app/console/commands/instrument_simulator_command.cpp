@@ -127,7 +127,7 @@ void addSimulatorCommand(CLI::App& app, SimulatorRequest& request) {
                                            "An instrument to try a connection with: prints the path of a "
                                            "line and speaks there until it is stopped.");
   simulator->add_option("file", request.session,
-                        "Session whose readings it tells; if not given, one is simulated");
+                        "Session whose readings it sends; if not given, one is simulated");
   simulator->add_option("--protocol", request.protocol, "geocom or gsi")
       ->check(CLI::IsMember({"geocom", "gsi"}))
       ->capture_default_str();
@@ -167,21 +167,21 @@ void addSimulatorCommand(CLI::App& app, SimulatorRequest& request) {
       ->take_all()
       ->expected(1);
   simulator->add_flag("--checksums", request.hasChecksums, "geocom: answers have a check sum");
-  simulator->add_flag("--until-told", request.endsWhenDone, "End once every reading was told");
+  simulator->add_flag("--until-told", request.endsWhenDone, "End once every reading is sent");
 }
 
 Result<std::string> runSimulator(const SimulatorRequest& request) {
   const Result<Session> session = sessionOf(request);
   if (!session) return session.problem();
   SimulatedInstrument instrument(optionsOf(request, *session));
-  if (instrument.isDone()) return Problem{"has no readings that an instrument could tell"};
+  if (instrument.isDone()) return Problem{"has no readings that an instrument could send"};
   const Result<PseudoTerminal> line = PseudoTerminal::open();
   if (!line) return line.problem();
   if (writeResult(line->path() + "\n") != Done) return Problem{"the path of the line could not be printed"};
   std::signal(SIGINT, stopSpeaking);
   std::signal(SIGTERM, stopSpeaking);
   speak(*line, instrument, request);
-  return "told " + std::to_string(instrument.delivered()) + " sightings\n";
+  return "sent " + std::to_string(instrument.delivered()) + " sightings\n";
 }
 
 }  // namespace alidade::console

@@ -46,7 +46,7 @@ OptionCheck wholeFrom(std::uint64_t least, std::uint64_t most) {
 OptionCheck textCheck() {
   return [](const std::string& text) -> std::string {
     if (!firstIllFormedByte(text)) return {};
-    return quotation(text) + " is not UTF-8 text: type it anew, or set the terminal to UTF-8";
+    return quotation(text) + " is not UTF-8 text: type it again, or set the terminal to UTF-8";
   };
 }
 

@@ -102,8 +102,8 @@ void addProtocolCommand(CLI::App& app, ProtocolRequest& request) {
           templateNames() + "), rows (as the session has them) or plan (as plan advises)");
   protocol
       ->add_option("--order", request.order,
-                   "The next sighting: listed (in the order of the protocol) or by-worth (the one that tells "
-                   "most for its minutes)")
+                   "The next sighting: listed (in the order of the protocol) or by-worth (the most "
+                   "informative for its minutes)")
       ->check(CLI::IsMember({orderListed, orderByWorth}));
   protocol
       ->add_option("--uncertainty", request.uncertainty,

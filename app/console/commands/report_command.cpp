@@ -81,7 +81,7 @@ void addReportCommand(CLI::App& app, ReportRequest& request) {
   CLI::App* report =
       app.add_subcommand("report", "The acceptance report of each session as PDF, named like the session.");
   report->add_option("FILE", request.files, "Sessions (*.alidade), or folders of them")->required();
-  report->add_option("--into", request.into, "Existing folder for the reports; else each beside its session")
+  report->add_option("--into", request.into, "Existing folder for the reports; else each next to its session")
       ->check(CLI::ExistingDirectory);
   report->add_option("--language", request.language, "Language of the reports, such as en or zh_CN");
   addSigningOptions(*report, request.signing);

@@ -7,8 +7,8 @@
 namespace alidade::console {
 
 void addSigningOptions(CLI::App& command, SigningFiles& files) {
-  CLI::Option* key = command.add_option("--sign-key", files.key,
-                                        "Private key (PEM) to sign the file with, beside it as *.p7s");
+  CLI::Option* key = command.add_option(
+      "--sign-key", files.key, "Private key (PEM) to sign with, in a file *.p7s next to the signed file");
   CLI::Option* certificate =
       command.add_option("--sign-certificate", files.certificate, "Its certificate (PEM)");
   key->needs(certificate);

@@ -83,7 +83,7 @@ void addTrialCommand(CLI::App& app, TrialRequest& request) {
   trial
       ->add_option("--score", request.folder,
                    "Score trials made elsewhere: a folder with truth.json and the sessions, in sessions/ or "
-                   "beside it, or with truth.json of series and SERIES/*.alidade")
+                   "next to it, or with truth.json of series and SERIES/*.alidade")
       ->excludes(count)
       ->excludes(series)
       ->excludes(seed)
@@ -107,8 +107,8 @@ void addTrialCommand(CLI::App& app, TrialRequest& request) {
   CLI::Option* adaptive = trial
                               ->add_flag("--adaptive", request.adaptive,
                                          "Read each truth, one effect, twice until its causes are named: in "
-                                         "the order of the protocol, and each time the sighting that tells "
-                                         "most for its minutes")
+                                         "the order of the protocol, and each time the most informative "
+                                         "sighting for its minutes")
                               ->needs(protocol)
                               ->excludes(series)
                               ->excludes(effects)
