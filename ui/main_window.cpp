@@ -41,7 +41,7 @@ namespace alidade::ui {
 
 namespace {
 
-/// Empty if the data contain anything except files.
+/// The local paths of the URLs in `data`; empty if any URL is not a local file.
 QStringList filesIn(const QMimeData& data) {
   QStringList paths;
   for (const QUrl& url : data.urls()) {
@@ -145,7 +145,7 @@ void MainWindow::connectJobs() {
   m_jobs.start();
 }
 
-/// Connects everything that moves the keyboard to the next entry, including readings of the instrument.
+/// Connects everything that moves the keyboard focus to the next entry, including instrument readings.
 void MainWindow::connectEntry() {
   connect(m_entry, &EntryGuide::commitWanted, this, &MainWindow::commitPending);
   connect(m_entry, &EntryGuide::revealWanted, this, [this](const Place& place) { reveal(place); });
@@ -214,7 +214,7 @@ void MainWindow::showStart() {
   m_next->hide();
 }
 
-/// Focuses the first entry, unless something has the focus already.
+/// Shows the session again and goes to its next entry.
 void MainWindow::hideStart() {
   if (!m_start || m_stack->currentWidget() != m_start) return;
   m_stack->setCurrentIndex(0);
@@ -247,7 +247,7 @@ void MainWindow::reportFailure(const QString& reason) {
 void MainWindow::showTitle() {
   const QString mark = QStringLiteral("[*]");
   QString name = visibleLine(m_document.displayName());
-  name.replace(mark, mark + mark);  // escapes the name's own marks of a changed file
+  name.replace(mark, mark + mark);  // escapes a “[*]” in the name itself
   // The title ends in the program's name, which Qt would add otherwise.
   if (const auto seal = sealOf(m_document.session().journal))
     name = (changesSince(*seal, m_document.session().journal) == 0 ? tr("%1 (sealed)")

@@ -31,7 +31,7 @@ class SideWindows;
 class StartPage;
 class WindowActions;
 
-/// The workstation's window: connects its parts, which do the work.
+/// The main window. It connects its parts, which do the work.
 class MainWindow : public QMainWindow {
   Q_OBJECT
 
@@ -55,13 +55,13 @@ class MainWindow : public QMainWindow {
   /// The tabs at the right of the picture of the arcs and below it.
   QList<PageTabs*> pageTabs() const;
 
-  /// Leads to an entry: its tab, its row, and the focus if `takeFocus`.
+  /// Shows the entry at `place`: selects its tab and row, and focuses the entry if `takeFocus`.
   void reveal(const Place& place, bool takeFocus = true);
   /// Commits unfinished entries.
   void commitPending();
   void undo();
   void redo();
-  /// Adds a position at `axisDeg` (0 or 180), a repeat if both exist, and leads to its pointing zero.
+  /// Adds a position at `axisDeg` (0 or 180), or a repeat if both exist, and shows its pointing zero.
   void addPosition(int axisDeg);
   void setColumnShown(ReadingColumn column, bool shown);
   /// Keeps unsaved changes in `folder` from now on, and shows other windows which files are open.
@@ -70,7 +70,7 @@ class MainWindow : public QMainWindow {
   void keepNow();
   /// Offers unsaved changes of a crashed window. False: there are none.
   bool offerRecovery();
-  /// Shows the start page until there is a session.
+  /// Shows the start page until a session is started, opened or changed.
   void showStart();
   void hideStart();
   /// Reports an exception of an event handler, and records it with the session.

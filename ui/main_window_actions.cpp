@@ -114,7 +114,7 @@ void WindowActions::createFileMenu(QToolBar& bar) {
   addTo(menu, nullptr, tr("&Quit"), QKeySequence(tr("Ctrl+Q")), this, [this] { m_window.close(); });
 }
 
-/// Exports for other programs.
+/// Adds the exports for other programs.
 void WindowActions::addExportMenu(QMenu& menu) {
   QMenu& exports = *menu.addMenu(tr("E&xport"));
   const std::pair<QString, bool (ExportFlow::*)()> kinds[] = {
@@ -237,7 +237,7 @@ void WindowActions::addSuspectActions(QMenu& menu) {
   connect(reason, &ChangeReasonBar::askingChanged, state, &QAction::setEnabled);
 }
 
-/// Adds rows in the order of sighting, and shortcuts to the entries.
+/// Adds the actions that add rows in the order of sighting or go to an entry.
 void WindowActions::addEntryActions(QMenu& menu) {
   QMenu* rows = menu.addMenu(tr("Add Ro&ws"));
   const std::pair<QString, FurtherRows> ways[] = {{tr("&Way Back"), FurtherRows::WayBack},
@@ -309,7 +309,7 @@ void WindowActions::attachTo(ReadingsTable* table) const {
   table->setContextMenuPolicy(Qt::ActionsContextMenu);
 }
 
-/// The clipboard belongs to the focused text or table, otherwise to the readings.
+/// Applies the clipboard action to the focused text or table, otherwise to the readings.
 void WindowActions::useClipboard(Clipboard way) {
   QWidget* focus = QApplication::focusWidget();
   const auto apply = [way](auto& target) {
@@ -365,7 +365,7 @@ void WindowActions::createViewMenu() {
         [] { applyFont(resized(rememberedFont(), -1)); });
 }
 
-/// The unit of the instrument: for typed bare numbers and shown angles.
+/// Adds the choice of the instrument's unit, which applies to shown angles and typed bare numbers.
 void WindowActions::addUnitActions(QMenu& menu) {
   SessionDocument& document = m_window.document();
   QMenu* units = menu.addMenu(tr("A&ngles in"));
@@ -388,7 +388,7 @@ void WindowActions::addUnitActions(QMenu& menu) {
   units->addActions(group->actions());
 }
 
-/// Every page with its shortcut; empty pages are disabled.
+/// Adds an action with a shortcut for every page; hidden pages are disabled.
 void WindowActions::addPageActions(QMenu& menu) {
   menu.addSeparator();
   for (const PageInfo& info : allPages()) {
@@ -433,7 +433,7 @@ void WindowActions::createInstrumentMenu() {
         [&desk] { desk.showDialog(); });
   QAction* take =
       addTo(menu, nullptr, tr("&Take Reading"), QKeySequence(Qt::Key_F5), this, [&desk] { desk.take(); });
-  take->setShortcutContext(Qt::ApplicationShortcut);  // works in the dialog too
+  take->setShortcutContext(Qt::ApplicationShortcut);  // also works in the dialog of the connection
   QAction* leave = addTo(menu, nullptr, tr("&Disconnect"), {}, this, [&desk] { desk.link().close(); });
   const auto offer = [&desk, leave] { leave->setEnabled(desk.link().isOpen()); };
   connect(&desk.link(), &InstrumentLink::stateChanged, leave, offer);
@@ -459,7 +459,7 @@ void WindowActions::createHelpMenu(Dialogs& dialogs) {
   QMenu& menu = *m_window.menuBar()->addMenu(tr("&Help"));
   QAction* guide =
       addTo(menu, nullptr, tr("&Guide"), QKeySequence::HelpContents, this, [this] { showHelp(); });
-  guide->setShortcutContext(Qt::ApplicationShortcut);  // works in the window of blind trials too
+  guide->setShortcutContext(Qt::ApplicationShortcut);  // also works in the window of blind trials
   addTo(menu, nullptr, tr("&First Measurement"), {}, this, [this] { showFirstSteps(); });
   addTo(menu, nullptr, tr("&Keys of the Table"), {}, this, [&dialogs] { dialogs.showShortcuts(); });
   menu.addSeparator();

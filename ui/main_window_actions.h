@@ -24,7 +24,7 @@ class WindowActions : public QObject {
   /// Opens the guide at the topic of the focused widget.
   void showHelp();
   void showFirstSteps();
-  /// Gives a table the menu of its edits.
+  /// Gives a table its actions as context menu.
   void attachTo(ReadingsTable* table) const;
 
  private:

@@ -12,8 +12,8 @@ namespace alidade::ui {
 
 class SessionDocument;
 
-/// Stores a day in the session's form (`completedDay`) and a number without its unit (`withoutUnit`). Does
-/// nothing if the field already has this text.
+/// Sets the field at `place` to `typed`: a day in the session's form (`completedDay`), a number without its
+/// unit (`withoutUnit`). Does nothing if the field already has this text.
 void changeField(SessionDocument& document, const Place& place, const std::string& typed);
 
 /// Sets the σ of both circles as one undo step.

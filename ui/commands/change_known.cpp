@@ -24,8 +24,8 @@ bool saysNothing(const KnownSize& size) {
   return std::ranges::all_of(knownCells, [&](const KnownCell& cell) { return (size.*cell.text).empty(); });
 }
 
-/// `trunnion_tilt: 12 ± 2 arcsec, certificate K-7`, which `contentText` (core/wording/journal.h) shows with
-/// names.
+/// The text for the journal, such as `trunnion_tilt: 12 ± 2 arcsec, certificate K-7`. For display,
+/// `contentText` (core/wording/journal.h) replaces identifiers by names.
 std::string saidOf(const KnownSize& size) {
   std::string text = size.effect;
   if (!size.parameter.empty()) text += ' ' + size.parameter;
@@ -33,7 +33,7 @@ std::string saidOf(const KnownSize& size) {
   return size.from.empty() ? text : text + ", " + size.from;
 }
 
-/// The list after this entry was replaced, appended, or removed if it says nothing.
+/// The list with `entry` at `index`: replaced, appended, or removed if all its texts are empty.
 std::vector<KnownSize> listWith(std::vector<KnownSize> list, std::size_t index, const KnownSize& entry) {
   if (index == list.size())
     list.push_back(entry);

@@ -8,7 +8,7 @@ namespace alidade::ui {
 
 class SessionDocument;
 
-/// An editable member of an entry.
+/// An editable text of a known size.
 struct KnownCell {
   std::string KnownSize::*text;
   const char* member;  ///< its name in the session file
@@ -16,8 +16,8 @@ struct KnownCell {
 inline constexpr KnownCell knownCells[] = {
     {&KnownSize::value, "value"}, {&KnownSize::sigma, "sigma"}, {&KnownSize::from, "from"}};
 
-/// Types `text` into one cell of a row of the session. The first text of a parameter creates its entry in the
-/// proper list; removing the last text removes the entry. Without a change there is no undo step.
+/// Sets one text of a known size. In a row without an entry, the first text creates an entry in its owner's
+/// list; removing the last text removes the entry. Without a change there is no undo step.
 void typeKnown(SessionDocument& document, const KnownRow& row, const KnownCell& cell,
                const std::string& text);
 

@@ -46,7 +46,7 @@ class ChangePart : public JournalledCommand {
   }
 
   PartOf m_partOf;
-  Part m_other;  ///< the value not in use
+  Part m_other;  ///< the new value before the edit, the old value after it
   PartChange m_change;
 };
 

@@ -12,8 +12,8 @@ namespace alidade::ui {
 
 class SessionDocument;
 
-/// Adds a position of the axis without readings. A missing one at 0° goes first, since it is read first. One
-/// at 180°, or a repeat, goes last, since repeats are in the order read.
+/// Adds a position without readings. A missing position at 0° becomes the first, since it is read first. A
+/// position at 180° or a repeat becomes the last, since repeats are in the order read.
 class AddPosition : public JournalledCommand {
  public:
   /// `axisDeg`: 0 or 180.
@@ -32,13 +32,13 @@ class AddPosition : public JournalledCommand {
 /// True if the session has a position at `axisDeg`, 0 or 180. Invalid axis angles count for neither.
 bool hasPosition(const Session& session, int axisDeg);
 
-/// True if the position is missing, or if both exist: then the axis angle is repeated.
+/// True if no position has this axis angle, or if both angles have one, so that a repeat may follow.
 bool mayAddPosition(const Session& session, int axisDeg);
 
-/// "Add position at 0°", "Measure 0° again": the text for adding it to this session.
+/// The undo text for adding the position: "Add position at 0°", or "Measure 0° again" for a repeat.
 QString addPositionText(const Session& session, int axisDeg);
 
-/// Does nothing if it may not be added.
+/// Adds the position; does nothing unless `mayAddPosition`.
 void addPosition(SessionDocument& document, int axisDeg);
 
 /// The number of typed sightings of a position: rows with an angle, and pointing zeros.

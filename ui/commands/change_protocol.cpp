@@ -11,7 +11,7 @@ namespace alidade::ui {
 
 namespace {
 
-/// `full, 138 sightings`.
+/// The text for the journal, such as `full, 138 sightings`.
 std::string saidOf(const std::string& text) {
   Session alone;
   alone.protocol = text;

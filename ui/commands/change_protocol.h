@@ -9,8 +9,8 @@ namespace alidade::ui {
 
 class SessionDocument;
 
-/// Sets the session's protocol, which a person chose, and adds its missing positions, in one step; absent:
-/// none. Does nothing if it is already set.
+/// Sets the protocol that the user chose and adds the positions that it needs, as one undo step; absent:
+/// removes the protocol. Does nothing if the session already has this protocol.
 void followProtocol(SessionDocument& document, std::optional<SightingProtocol> protocol);
 
 }  // namespace alidade::ui

@@ -24,13 +24,13 @@ bool meansExcluded(const QString& cell) {
   return words.contains(cell.toLower());
 }
 
-/// A cell of a block as the column's text.
+/// The text of a pasted cell in the form of its column.
 std::string pastedText(ReadingColumn column, const QString& cell, CircleUnit unit) {
   if (column == ReadingColumn::Used) return meansExcluded(cell) ? "0" : "1";
   return isAngle(column) ? completedAngle(cell.toStdString(), unit) : cell.toStdString();
 }
 
-/// A new reading after `last`, the reading number `count`; null if there is none before.
+/// A new reading after the reading `last` (null: there is none); `count` readings precede the new one.
 Reading readingAfter(const Reading* last, std::size_t count) {
   Reading reading;
   int point = static_cast<int>(count) + 1;
@@ -132,7 +132,7 @@ std::size_t ReadingsEditor::paste(const ReadingBlock& block, std::size_t row,
   std::size_t widest = 0;
   row = std::min(row, rows.size());
   const CircleUnit unit = circleUnitOf(m_document.session());
-  Reading last = rows.empty() ? Reading{} : rows.back();  // including the text pasted over it
+  Reading last = rows.empty() ? Reading{} : rows.back();  // the last row, including texts pasted over it
   for (const QStringList& cells : block) {
     const auto width = static_cast<std::size_t>(cells.size());
     widest = std::max(widest, width);

@@ -34,7 +34,7 @@ class ReadingsEditor {
   void addReason(const std::vector<std::size_t>& rows, const std::string& reason);
   void clear(const std::vector<ReadingCell>& cells, bool cut = false);
 
-  /// Writes `block` over the cells from `row` on, its columns into `columns` in turn. Appends rows beyond the
+  /// Pastes `block` from `row` on; its columns go into `columns` in the same order. Appends rows beyond the
   /// end, with point numbers if the block has none. Returns the number of block columns without a target.
   std::size_t paste(const ReadingBlock& block, std::size_t row, const std::vector<ReadingColumn>& columns);
 
@@ -52,8 +52,8 @@ class ReadingsEditor {
   std::size_t m_position;
 };
 
-/// Moves rows of one position to the end of another, in order, as one undo step: they were typed or imported
-/// at the wrong axis. Ignores missing rows.
+/// Moves rows that were typed or imported at the wrong axis angle to the end of another position, in order,
+/// as one undo step. Ignores missing rows.
 void moveRows(SessionDocument& document, std::size_t from, const std::vector<std::size_t>& rows,
               std::size_t to);
 

@@ -39,7 +39,7 @@ class JournalledCommand : public SessionCommand {
   JournalledCommand(SessionDocument& document, const QString& text);
 
   virtual void apply() = 0;
-  virtual void revert() { apply(); }  ///< for an edit that exchanges two values
+  virtual void revert() { apply(); }  ///< `apply` suffices for an edit that exchanges two values
   void insertPosition(std::size_t index, const Position& position);
   void erasePosition(std::size_t index);
   /// Journal entries this edit would produce if all its values had been recorded.
@@ -50,8 +50,8 @@ class JournalledCommand : public SessionCommand {
 
  private:
   int m_index;                                     ///< index on the undo stack
-  std::vector<JournalEntry> m_entries;             ///< while undone; else they are only in the journal
-  std::size_t m_entered = 0, m_enteredByUndo = 0;  ///< numbers of journal entries: of the edit, of its undo
+  std::vector<JournalEntry> m_entries;             ///< of the undone edit; else only the journal has them
+  std::size_t m_entered = 0, m_enteredByUndo = 0;  ///< numbers of entries added by the edit and by its undo
 };
 
 }  // namespace alidade::ui

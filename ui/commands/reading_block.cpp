@@ -23,7 +23,7 @@ bool isEmptyRow(const QStringList& row) {
   return std::all_of(row.begin(), row.end(), [](const QString& cell) { return cell.isEmpty(); });
 }
 
-/// The text of `ReadingColumn::Used` for a column that states excluded rows.
+/// The text of `ReadingColumn::Used` for a cell of a column that marks excluded rows.
 QString usedText(const QString& excluded) {
   static const QStringList words = {QStringLiteral("1"), QStringLiteral("yes"), QStringLiteral("true"),
                                     QStringLiteral("x")};

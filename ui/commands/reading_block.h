@@ -24,14 +24,14 @@ ReadingBlock parseBlock(const QString& text);
 struct NamedBlock {
   ReadingBlock rows;                   ///< without the names; plain numbers with the unit of their column
   std::vector<ReadingColumn> columns;  ///< the columns of the cells in each row
-  QStringList unplaced;                ///< names of columns unknown to a position
+  QStringList unplaced;                ///< names of columns that readings do not have
   QString problem;                     ///< why the block is unusable; else empty
 };
 
-/// The block as a table whose first rows name its columns; absent without such names.
+/// The block as a table whose first rows name its columns; absent if the first row names none.
 std::optional<Result<JoinedTable>> joinedBlock(const ReadingBlock& block);
 
-/// Absent if the first row does not name columns (`areColumnNames`), or is the only row.
+/// Absent if the first row does not name columns of readings (`areColumnNames`), or is the only row.
 std::optional<NamedBlock> namedBlock(const ReadingBlock& block);
 
 /// Builds the text of a block, cell by cell, with tabs and LF. Tabs and line ends inside a cell become
@@ -44,7 +44,7 @@ class BlockText {
 
  private:
   QString m_text;
-  bool m_hasRow = false, m_hasCell = false;  ///< `m_hasCell`: in the last row begun
+  bool m_hasRow = false, m_hasCell = false;  ///< `m_hasCell`: the row begun last has a cell
 };
 
 /// The reverse of `parseBlock`.

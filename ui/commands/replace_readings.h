@@ -11,7 +11,7 @@ namespace alidade::ui {
 class SessionDocument;
 
 /// Applies a patch to the rows of one position, for every edit of a table: typing, inserting, deleting,
-/// pasting, excluding. Holds only the patch, so ten thousand steps take no more memory than their changes.
+/// pasting, excluding. Stores only the patch, so that memory grows with the changes, not with the rows.
 class ReplaceReadings : public JournalledCommand {
  public:
   ReplaceReadings(SessionDocument& document, std::size_t position, ReadingsPatch patch, const QString& text,
@@ -28,7 +28,7 @@ class ReplaceReadings : public JournalledCommand {
   const char* m_why;
 };
 
-/// Does nothing if the patch changes nothing. `why`: one of `journal_reasons`.
+/// Pushes the patch as one undo step, unless the patch is empty. `why`: one of `journal_reasons`.
 void patchReadings(SessionDocument& document, std::size_t position, ReadingsPatch patch, const QString& text,
                    const char* why);
 

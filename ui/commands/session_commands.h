@@ -22,7 +22,7 @@ class ReplaceSession : public SessionCommand {
  private:
   void exchange();
 
-  Session m_other;  ///< the session not in use
+  Session m_other;  ///< the session that is not current
   JournalKeeper::State m_otherState;
 };
 
@@ -37,7 +37,7 @@ class ImportReadings : public JournalledCommand {
   void apply() override;
   std::vector<JournalEntry> allEntries() const override { return m_origins; }
 
-  Session m_other;  ///< the session not in use; its journal is ignored
+  Session m_other;  ///< the session that is not current; its journal is ignored
   std::vector<JournalEntry> m_origins;
 };
 

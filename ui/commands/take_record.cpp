@@ -10,7 +10,7 @@ namespace alidade::ui {
 
 namespace {
 
-/// `T-1, 4711, σ 2/2/1 arcsec, record t-1.alidade-instrument of 2026-03-01, 3 known sizes`.
+/// For the journal: `T-1, 4711, σ 2/2/1 arcsec, record t-1.alidade-instrument of 2026-03-01, 3 known sizes`.
 std::string said(const Instrument& instrument) {
   std::string text = instrument.name + ", " + instrument.serial + ", σ " + instrument.sigmaHorizontalArcsec +
                      "/" + instrument.sigmaVerticalArcsec + "/" + instrument.sigmaZeroArcsec + " arcsec";

@@ -9,8 +9,8 @@ namespace alidade::ui {
 
 class SessionDocument;
 
-/// Copies a record into the session (`takeRecord`), in one step; `file` is the record's name without folder.
-/// Without a change there is no step. Returns a sentence if the record belongs to another instrument.
+/// Copies a record into the session (`takeRecord`) as one undo step; without a change there is none. `file`:
+/// the record's name without folder. Returns a problem if the record belongs to another instrument.
 std::optional<Problem> takeRecord(SessionDocument& document, const InstrumentRecord& record,
                                   const std::string& file);
 

@@ -16,8 +16,8 @@ class GapHeadline;
 class StatementView;
 class TrialList;
 
-/// Blind trials: draws a session from a plan and a sealed truth and diagnoses it. Opening the seal scores the
-/// diagnosis. Also draws many trials in one run, all opened. Sealed trials stay in the list for later.
+/// Runs blind trials: simulates a session from a plan and a sealed truth, and diagnoses the session. Opening
+/// the seal scores the diagnosis. A run of many trials opens each. Sealed trials stay in the list for later.
 class BlindTrialDialog : public QDialog {
   Q_OBJECT
 
@@ -50,7 +50,7 @@ class BlindTrialDialog : public QDialog {
   void colorScore();
 
   TrialJob m_job;
-  SharedTrial m_current;  ///< the one shown; null before the first
+  SharedTrial m_current;  ///< the trial shown; null before the first
   bool m_isOpen = false, m_isSeries = false;
 
   QWidget* m_choices;

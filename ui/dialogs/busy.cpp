@@ -34,7 +34,7 @@ void Busy::showDialog() {
   m_dialog->show();
 }
 
-/// Holds input back until the dialog opens; the modal dialog then takes what is meant for it.
+/// Input waits until the dialog opens; the modal dialog then accepts only its own input.
 bool Busy::waitFor(const QFuture<void>& work) {
   QFutureWatcher<void> watcher;
   QEventLoop loop;

@@ -22,10 +22,10 @@ class Busy {
   Busy(const Busy&) = delete;
   Busy& operator=(const Busy&) = delete;
 
-  /// Waits for work on another thread. False: the user stopped it, if possible; it may still be running.
+  /// Waits for work on another thread. False: the user stopped the wait; the work may still be running.
   bool waitFor(const QFuture<void>& work);
   /// Keeps the window responsive during work on the window's thread; to be called often. `done`: the share of
-  /// the work, 0 to 1. False: the user stopped it.
+  /// the work, 0 to 1. False: the user stopped the work.
   bool goesOn(double done);
 
  private:
@@ -35,7 +35,7 @@ class Busy {
   QString m_doing;
   Way m_way;
   QElapsedTimer m_since, m_breath;
-  std::unique_ptr<QProgressDialog> m_dialog;  ///< null until it takes longer than a moment
+  std::unique_ptr<QProgressDialog> m_dialog;  ///< null until the operation takes longer than a moment
 };
 
 }  // namespace alidade::ui

@@ -17,7 +17,7 @@ namespace {
 /// The text without its Alt mnemonic, the shortcut after a tab, and an ellipsis at the end.
 QString plainText(const QString& menuText) {
   QString plain;
-  static const QRegularExpression inBrackets(QStringLiteral("\\(&.\\)"));  // as Chinese menus have it
+  static const QRegularExpression inBrackets(QStringLiteral("\\(&.\\)"));  // mnemonic of Chinese menus
   const QString text = menuText.section(u'\t', 0, 0).remove(inBrackets);
   for (qsizetype i = 0; i < text.size(); ++i) {
     if (text[i] == u'&' && i + 1 < text.size()) ++i;
@@ -26,7 +26,7 @@ QString plainText(const QString& menuText) {
   return plain.endsWith(QStringLiteral("…")) ? plain.chopped(1) : plain;
 }
 
-/// Each typed word is the beginning of a word of the path.
+/// True if each typed word is the beginning of a word of the path.
 bool isMatch(const QString& path, const QString& typed) {
   const QStringList words = typed.split(u' ', Qt::SkipEmptyParts);
   const QString searched = u' ' + path;
@@ -89,7 +89,7 @@ QAction* CommandPalette::ask() {
   return m_commands[m_list->currentItem()->data(Qt::UserRole).toULongLong()].action;
 }
 
-/// The keyboard stays in the line; Up and Down choose in the list.
+/// The input line keeps the keyboard focus; Up and Down choose in the list.
 bool CommandPalette::eventFilter(QObject* watched, QEvent* event) {
   if (watched != m_typed || event->type() != QEvent::KeyPress) return QDialog::eventFilter(watched, event);
   const int key = static_cast<QKeyEvent*>(event)->key();

@@ -13,14 +13,14 @@ class QMenuBar;
 namespace alidade::ui {
 
 /// Every command of the menus in one list, filtered by typing: "way ba" finds Edit › Add Rows › Way Back.
-/// Enter runs the chosen one.
+/// Enter chooses the current one.
 class CommandPalette : public QDialog {
   Q_OBJECT
 
  public:
   CommandPalette(const QMenuBar& menus, QWidget* parent);
 
-  /// The chosen command; null if none.
+  /// Lets the user choose a command; null: none was chosen.
   QAction* ask();
 
  protected:

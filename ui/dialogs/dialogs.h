@@ -55,7 +55,7 @@ class Dialogs {
   virtual QString askProtocolPath(const QString& folder);
   /// Edits the protocol in a form; absent: cancelled.
   virtual std::optional<SightingProtocol> askProtocol(const SightingProtocol& protocol, CircleUnit unit);
-  /// Edits an effect of one's own in a form; absent: cancelled.
+  /// Edits a user's own effect in a form; absent: cancelled.
   virtual std::optional<OwnEffect> askOwnEffect(const Session& session, const OwnEffect& effect);
   /// Asks for a folder, or single sessions, of a series; empty: cancelled.
   virtual QString askFolder(const QString& title, const QString& folder);
@@ -89,7 +89,7 @@ class Dialogs {
   virtual void showShortcuts();
 
  private:
-  /// The parent of a question: the active window, main or other.
+  /// The parent of a question: an active non-modal child window of the main window, else the main window.
   QWidget* over() const;
 
   QPointer<QWidget> m_parent;

@@ -7,9 +7,9 @@
 
 namespace alidade::ui {
 
-// Exports of a session, which each function fits and diagnoses: the bytes of the file, or why there are none.
-// `name` is the session's name in the documents. Like alidade-cli, they require every entry of the session to
-// be valid.
+// Each function computes an export of a session and returns the bytes of the file, or why there are none.
+// `name` is the session's name in JSON documents. Like alidade-cli, the functions require every entry of the
+// session to be valid.
 
 Result<std::string> residualsAnswer(const Session& session, const std::string& name);
 Result<std::string> resultAnswer(const Session& session, const std::string& name);

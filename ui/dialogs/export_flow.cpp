@@ -99,7 +99,7 @@ bool ExportFlow::writeTo(const QString& title, const QString& what, const QStrin
   return path.has_value();
 }
 
-/// A path in the folder of the session, with its name.
+/// A path in the session's folder, with the session's name followed by `what`.
 QString ExportFlow::suggestedPath(const QString& what, const QString& suffix) const {
   const QFileInfo file(m_document.path());
   const QString name = m_document.path().isEmpty() ? m_document.displayName() : file.completeBaseName();

@@ -132,8 +132,8 @@ bool FileFlow::importFrom(const Result<std::vector<ImportSource>>& sources, cons
   return true;
 }
 
-/// True if the path is not a regular file, which is reported. Reading a pipe or a device may never end and
-/// would block the window. A missing file is reported when it is opened or written.
+/// Reports a path that is not a regular file, and returns true. Reading a pipe or a device may never end and
+/// would block the window. For a missing file, opening or writing reports the problem.
 bool FileFlow::isRefusedAsNonFile(const QString& title, const QString& path) {
   const QFileInfo file(path);
   if (!file.exists() || file.isFile()) return false;
@@ -255,7 +255,7 @@ void FileFlow::resolveChange() {
   if (answer == ChangedFileAnswer::Overwrite) write(m_document.path());
 }
 
-/// Absent if saving overwrites no changes of others. A reload is already done here.
+/// Asks what to do if another program changed the content; absent if not. Performs a chosen reload itself.
 std::optional<ChangedFileAnswer> FileFlow::askAboutChange() {
   auto looked = inBackground<std::optional<FileContent>>(
       *m_dialogs.busy(tr("Checking “%1” for changes…").arg(visibleLine(m_document.displayName())),

@@ -18,7 +18,7 @@ namespace alidade::ui {
 class Dialogs;
 class SessionDocument;
 
-/// New, open, import, save, export and close, with the questions they require.
+/// Starts, opens, imports, saves, exports and closes sessions, with the questions that this requires.
 class FileFlow : public QObject {
   Q_OBJECT
 
@@ -27,8 +27,8 @@ class FileFlow : public QObject {
 
   /// Each returns true on success, false if it failed (the user was told why) or was cancelled.
   bool startNew();
-  bool startNext();                        ///< a new session with what stays of this one (`nextSession`)
-  bool startWith(const Session& session);  ///< as a new, unsaved session
+  bool startNext();                        ///< with the lasting entries of this session (`nextSession`)
+  bool startWith(const Session& session);  ///< `session` becomes a new, unsaved session
   bool open();
   /// Opens a session, a report with an attached session, or a file of readings to import.
   bool open(const QString& path);
@@ -39,7 +39,7 @@ class FileFlow : public QObject {
   bool importClipboard();
   bool save();
   bool saveAs();
-  /// Restores the session from its file, as one undo step. False: it has no file, or restoring failed.
+  /// Restores the session from its file, as one undo step. False: no file or no changes, or restoring failed.
   bool revert();
   /// Seals the session and saves it. False: it was not sealed, or not saved.
   bool seal();

@@ -7,9 +7,9 @@ namespace alidade::ui {
 class Dialogs;
 class SessionDocument;
 
-/// Instrument records (`InstrumentRecord`): takes one into the current session, or makes one from the
-/// session's instrument. Each returns true on success, false if it failed (the user was told why) or was
-/// cancelled.
+/// Copies an instrument record (`InstrumentRecord`) into the current session, or saves the session's
+/// instrument as a record. Each function returns true on success, false if it failed (the user was told why)
+/// or was cancelled.
 class InstrumentFlow : public QObject {
   Q_OBJECT
 

@@ -6,7 +6,7 @@ class QLabel;
 
 namespace alidade::ui {
 
-/// Shows the logo of the laboratory as printed, and chooses it.
+/// Shows the laboratory's logo as printed, and lets the user choose another.
 class LogoForm : public QGroupBox {
   Q_OBJECT
 

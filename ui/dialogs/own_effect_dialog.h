@@ -23,8 +23,8 @@ namespace alidade::ui {
 class Dialogs;
 class OwnEffectCurve;
 
-/// Types an effect of one's own. Each change is checked: an error of the formula is marked at its place, and
-/// a sound formula says how far it would show in the readings of the session.
+/// Edits a user's own effect and checks each change. A fault of the formula is marked at its place; for a
+/// valid formula, the dialog states how clearly the session's readings would show the effect.
 class OwnEffectDialog : public QDialog {
   Q_OBJECT
 

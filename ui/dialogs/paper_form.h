@@ -31,7 +31,7 @@ class PaperForm : public QWidget {
   std::array<QDoubleSpinBox*, 4> m_margins;  ///< left, top, right, bottom
 };
 
-/// Asks for paper and margins alone, from the menu. False: cancelled.
+/// Asks for paper and margins in a dialog of their own. False: cancelled.
 bool askPaper(QWidget* parent, ReportPaper& paper);
 
 }  // namespace alidade::ui

@@ -54,7 +54,7 @@ QPushButton* button(const QString& text, const char* name) {
   return button;
 }
 
-/// A text that takes the room, followed by its buttons.
+/// A row of a text, which takes all the free width, and its buttons.
 QWidget* rowOf(QLabel* text, std::initializer_list<QWidget*> buttons) {
   auto* row = new QWidget;
   auto* layout = new QHBoxLayout(row);

@@ -44,7 +44,7 @@ class PreferencesDialog : public QDialog {
   QComboBox *m_language = nullptr, *m_theme = nullptr, *m_reportLanguage = nullptr;
   QCheckBox* m_tone = nullptr;
   QLabel *m_fontName = nullptr, *m_protocolName = nullptr;
-  QWidget *m_desktopFont = nullptr, *m_noProtocol = nullptr;  ///< the buttons that take a choice back
+  QWidget *m_desktopFont = nullptr, *m_noProtocol = nullptr;  ///< the buttons that reset a choice
   PaperForm* m_paper = nullptr;
   LogoForm* m_logo = nullptr;
 };

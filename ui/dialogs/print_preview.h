@@ -10,13 +10,13 @@ class QToolBar;
 
 namespace alidade::ui {
 
-/// The choice of the user in the preview: `Contents` and `Page` change it, the others end it.
+/// The user's choice in the preview: `Contents` and `Page` change the preview, the others close it.
 enum class PreviewAnswer { Close, Print, Export, Contents, Page };
 
 /// Asks for the new contents or page set-up of the preview.
 using PreviewChange = std::function<void(PreviewAnswer)>;
 
-/// The pages of a report as they are printed. It stays open while its contents or page set-up are chosen.
+/// Shows the pages of a report as printed. Stays open while the user changes contents or page set-up.
 class PrintPreview : public QDialog {
   Q_OBJECT
 

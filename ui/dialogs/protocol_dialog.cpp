@@ -25,7 +25,7 @@ namespace {
 
 const std::vector<std::vector<int>> faceChoices = {{1}, {2}, {1, 2}, {2, 1}, {1, 2, 2, 1}};
 const std::vector<std::vector<int>> axisChoices = {{0, 180}, {0}, {180}, {0, 180, 0}, {0, 180, 0, 180}};
-constexpr int changing = 5;  ///< combo index behind the fixed faces: alternating from round to round
+constexpr int changing = 5;  ///< index after the fixed faces: alternating from round to round
 
 QString placeText(const ProtocolPlace& place) {
   return qText(place.slider.empty() ? place.arc : place.slider).remove(u' ');

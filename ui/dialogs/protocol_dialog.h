@@ -18,7 +18,7 @@ namespace alidade::ui {
 
 class FormDraft;
 
-/// A form for a protocol that is the same in all positions. Finer protocols require a file.
+/// A form for a protocol that is the same in all positions. Other protocols require a file.
 class ProtocolDialog : public QDialog {
   Q_OBJECT
 
@@ -26,7 +26,7 @@ class ProtocolDialog : public QDialog {
   /// Places are typed and shown in degrees or in gon.
   ProtocolDialog(const SightingProtocol& protocol, CircleUnit unit, QWidget* parent = nullptr);
 
-  /// Absent if the places cannot be parsed.
+  /// Absent if the places or the turn of the circle cannot be parsed.
   std::optional<SightingProtocol> protocol() const;
 
  private:

@@ -13,7 +13,7 @@ namespace alidade::ui {
 
 /// Unsaved changes that a window left behind.
 struct RecoveryOffer {
-  QString name;     ///< of the file, or a substitute for an unsaved session
+  QString name;     ///< name of the file; for an unsaved session its title or “Untitled”
   QString details;  ///< folder, time of the changes, state of the file
   SessionDifference difference;
 };

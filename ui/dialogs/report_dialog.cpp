@@ -57,7 +57,7 @@ ReportDialog::ReportDialog(const ReportQuestion& question, QWidget* parent)
   layout->addLayout(columns, 1);
   layout->addWidget(createButtons());
   keepDraft();
-  // Lets the dialog open as high as if every sentence had few lines.
+  // Opens the dialog high enough for all sentences, wrapped at the dialog's width.
   layout->activate();
   const int width = std::max(byFont(640), minimumSizeHint().width());
   resize(width, std::max(sizeHint().height(), layout->totalHeightForWidth(width)));
@@ -204,7 +204,7 @@ void ReportDialog::setSeriesFolder(const QString& folder) {
 
 QWidget* ReportDialog::createButtons() {
   auto* buttons = new QDialogButtonBox(QDialogButtonBox::Cancel,
-                                       this);  // a parent dialog would make one button the default
+                                       this);  // `setDefault` requires a dialog as parent
   const QString texts[] = {tr("&Export…"), tr("P&rint…"), tr("&Show")};
   QPushButton* go = buttons->addButton(texts[static_cast<int>(m_question.way)], QDialogButtonBox::AcceptRole);
   QPushButton* cancel = buttons->button(QDialogButtonBox::Cancel);

@@ -30,7 +30,7 @@ struct ReportQuestion {
   int unusable = 0;                        ///< number of unusable entries; any of them prevents a verdict
 };
 
-/// The one question before a report: its contents, paper and logo, and what it will lack.
+/// The one dialog before a report: asks for contents, paper and logo, and lists what the report will lack.
 class ReportDialog : public QDialog {
   Q_OBJECT
 

@@ -235,7 +235,7 @@ bool ReportFlow::printOf(const SharedGap& gap) {
   QPrinter printer(QPrinter::HighResolution);
   setPaper(printer, choice->paper, reportTitle(*translated->evaluation, source));
   if (!m_dialogs.askPrinter(printer)) return false;
-  printer.setFullPage(true);  // for every printer the user may choose
+  printer.setFullPage(true);  // set again, since the user may have chosen another printer
   const auto busy = m_dialogs.busy(tr("Printing the report…"));
   bool isStopped = false;
   options->goesOn = [&](double done) {
@@ -303,7 +303,7 @@ SharedGap ReportFlow::inLanguage(const QString& language, const SharedGap& gap) 
   return m_translated.gap;
 }
 
-/// The diagnosed current session, its sentences in `language`; null: the user stopped it.
+/// Diagnoses the current session, with sentences in `language`; null: the user stopped it.
 SharedGap ReportFlow::diagnosed(const QString& language) const {
   const auto busy = m_dialogs.busy(tr("Fitting and diagnosing for the report…"));
   const auto gap =

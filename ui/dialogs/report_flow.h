@@ -25,8 +25,8 @@ class ReportFlow : public QObject {
   /// Each returns true on success, false if it failed (the user was told why) or was cancelled. `suggestion`
   /// is the initial path.
   bool exportPdf(const QString& suggestion);
-  /// The digital calibration certificate with the report attached; first asks about the entries it will call
-  /// not stated.
+  /// The digital calibration certificate with the report attached; first lists the entries that the
+  /// certificate will call not stated.
   bool exportCertificate(const QString& suggestion);
   bool print();
   bool preview(const QString& suggestion);
@@ -40,8 +40,8 @@ class ReportFlow : public QObject {
  private:
   bool guarded(const QString& title, const std::function<bool()>& work);
   SharedGap diagnosed(const QString& language = {}) const;
-  /// `gap`, whose sentences are in the window's language, diagnosed again in the report's language if that
-  /// differs. Null: the user stopped it.
+  /// Returns `gap`, whose sentences are in the window's language; diagnoses again if `language` is another.
+  /// Null: the user stopped it.
   SharedGap inLanguage(const QString& language, const SharedGap& gap);
   /// The user's choice for the report of `gap`, remembered; absent: cancelled. `lacks`: for a certificate,
   /// the statements it will lack.

@@ -17,7 +17,7 @@ ReportSource reportSource(const SessionDocument& document) {
   if (!bytes) return source;
   source.bytes = QByteArray::fromStdString(*bytes);
   source.sha256 = QCryptographicHash::hash(source.bytes, QCryptographicHash::Sha256);
-  source.saved = source.sha256 == document.knownSha256();  // otherwise another program wrote it
+  source.saved = source.sha256 == document.knownSha256();  // false: another program wrote the file
   return source;
 }
 

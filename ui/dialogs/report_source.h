@@ -6,8 +6,8 @@ namespace alidade::ui {
 
 class SessionDocument;
 
-/// The file named in a report of the document, with the hash of its bytes: the saved file if unchanged,
-/// otherwise the session as it would be saved.
+/// The file named in a report of the document. Its bytes and their hash are read unless the session has
+/// unsaved changes; `saved` is true if the file equals the session.
 ReportSource reportSource(const SessionDocument& document);
 
 }  // namespace alidade::ui

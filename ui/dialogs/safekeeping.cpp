@@ -34,7 +34,7 @@ Result<std::string> bytesOf(const QString& path) {
 /// The session that a record is compared with: its file, or a new session if it has none.
 struct ComparedFile {
   Session session = templateSession();
-  QString state;  ///< of the file
+  QString state;  ///< place of the file and whether the file has changed
 };
 
 ComparedFile comparedFile(const RecoveryRecord& record) {
@@ -157,7 +157,7 @@ std::vector<Safekeeping::Left> Safekeeping::leftBehind() {
 }
 
 /// Restores the changes as unsaved changes of the current file; undo returns to the file. The window takes
-/// over the record, so one exists at every moment.
+/// over the record, so that a record exists at every moment.
 bool Safekeeping::recover(Left& left) {
   if (!m_files.mayLeave()) return false;
   const QString& path = left.record.path;

@@ -27,13 +27,13 @@ class Safekeeping : public QObject {
   ~Safekeeping() override;
 
   /// Asks about unsaved changes that crashed windows left, until all are discarded, one is recovered or the
-  /// rest postponed; returns the number of questions. Records equal to their file are deleted without asking.
+  /// user postpones; returns the number of questions. Records equal to their file are deleted without asking.
   int offer();
   /// Keeps everything unsaved or unfinished before it returns, as the process is about to end.
   void keepNow();
-  /// The window closes normally.
+  /// Removes the record, because the window closes normally.
   void finish() { m_keeper.finish(); }
-  /// Shown with the reason while unsaved changes cannot be kept; for the status bar, which owns it.
+  /// A label for the status bar, which owns it; shown with the reason while unsaved changes cannot be kept.
   QLabel* trouble() const { return m_trouble; }
   QString recordPath() const { return m_keeper.path(); }
 

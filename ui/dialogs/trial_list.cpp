@@ -74,7 +74,7 @@ void TrialList::add(const SharedTrial& trial) {
   if (m_isSeries) score(*trial);
   m_table->setRows(static_cast<int>(m_drawn.size()));
   m_table->selectDataRows({row});
-  m_isFollowing = isFollowing;  // a change by the program, not by the user
+  m_isFollowing = isFollowing;  // the program, not the user, changed the row
   showScore();
 }
 

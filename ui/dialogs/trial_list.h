@@ -12,8 +12,8 @@ namespace alidade::ui {
 
 class DataTable;
 
-/// All trials, newest first, with the truth of opened ones, and above them the score of the opened ones. The
-/// current row's trial is the one to show.
+/// A list of all trials, newest first, with the truth of opened trials; above it, the score of the opened
+/// trials. The current row's trial is the one to show.
 class TrialList : public QWidget {
   Q_OBJECT
 
@@ -31,7 +31,7 @@ class TrialList : public QWidget {
   void clearChoice();  ///< no row is current afterwards
 
  signals:
-  void chosen(const alidade::ui::SharedTrial& trial);  ///< its row became current
+  void chosen(const alidade::ui::SharedTrial& trial);  ///< the trial whose row became current
 
  private:
   struct Drawn {

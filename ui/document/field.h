@@ -18,14 +18,14 @@ struct Field {
   const char* noun;
   std::function<const std::string&(const Session& session, std::size_t position)> get;
   std::function<std::string&(Session& session, std::size_t position)> at;
-  bool isOfPosition = true;  ///< one per position
+  bool isOfPosition = true;  ///< true: one text per position; false: one for the session
 };
 
 /// Every field, in the order of the session file.
 std::span<const Field> allFields();
 
-/// The field called `name`, without indices: `geometry.distance_mm`, `pointing_zero.vertical`. Null if there
-/// is none. Cells of readings are not fields.
+/// The field with this name, without indices, such as `geometry.distance_mm` or `pointing_zero.vertical`.
+/// Null if no field has the name. Cells of readings are not fields.
 const Field* fieldNamed(std::string_view name);
 
 /// The text of the field at `place`; empty if the session has no such place.

@@ -10,7 +10,7 @@
 
 namespace alidade::ui {
 
-// Sessions and their files. Long ones take a while; every function may run on any thread.
+// Functions that read and write session files. Long files take a while; each function may run on any thread.
 
 /// A session as read from a file.
 struct FiledSession {
@@ -18,7 +18,7 @@ struct FiledSession {
   QByteArray sha256;  ///< of the file's bytes
 };
 
-/// The contents of a file, whether a session or not.
+/// The hash of a file, and its session or the reason why the file is not a session.
 struct FileContent {
   QByteArray sha256;
   Result<Session> session;
@@ -26,10 +26,10 @@ struct FileContent {
 
 /// Reads a session, which may have invalid entries; the problem says why a file is not a session.
 Result<FiledSession> readFiled(const QString& path);
-/// Writes completely or not at all: the old file remains if writing fails, or if `path` is one of `inputs`,
-/// files read for the session. Returns the SHA-256 of the written bytes.
+/// Writes the file completely, or leaves the old file. Fails if `path` is one of `inputs`, the files read for
+/// the session. Returns the SHA-256 of the written bytes.
 Result<QByteArray> writeFiled(const Session& session, const QString& path, const QStringList& inputs);
-/// Absent if the file is missing or unreadable, or its SHA-256 is the known one.
+/// The file's content; absent if the file is missing or unreadable, or if its SHA-256 is `knownSha256`.
 std::optional<FileContent> contentOtherThan(const QByteArray& knownSha256, const QString& path);
 /// Empty if the file is missing or unreadable.
 QByteArray sha256OfFile(const QString& path);

@@ -11,26 +11,26 @@ namespace alidade::ui {
 
 /// A typed text that is not committed yet.
 struct HalfTypedText {
-  /// A field; a cell of a row, where the row after the last is a new one; a text of a known size.
+  /// A field, a cell of a row (the row after the last is a new one), or a text of a known size.
   Place place;
   /// Ids of a catalogued number without a known size; `place.field` is then "value", "sigma" or "from". Empty
   /// otherwise.
   std::string effect = {}, parameter = {};
-  std::string text = {};  ///< as it would be committed
+  std::string text = {};  ///< the text to be committed
 
   bool operator==(const HalfTypedText&) const = default;
 };
 
-/// Unfinished entries of one session. Each entry reports its own text.
+/// The unfinished texts of one session. Each entry, a widget, reports its own text.
 class HalfTyped : public QObject {
   Q_OBJECT
 
  public:
   using QObject::QObject;
 
-  /// `entry` is open with this text; `isChanged` if it differs from the session.
+  /// Records that `entry` is open with this text; `isChanged`: the text differs from the session.
   void set(const QObject* entry, HalfTypedText text, bool isChanged);
-  /// `entry` was committed, cancelled or destroyed.
+  /// Removes the text of `entry`, which was committed, cancelled or destroyed.
   void clear(const QObject* entry);
 
   /// The texts that differ from the session.

@@ -45,7 +45,7 @@ class PatchEntries {
   }
 
  private:
-  /// Only a sealed session records that an empty row was added or removed, which renumbers the rows below.
+  /// Only a sealed session records an added or removed empty row, which changes the numbers of later rows.
   bool isRowRecorded(const Reading& row, std::size_t index) const {
     const auto isTyped = [&](const RowField& field) { return field.text && !(row.*field.text).empty(); };
     if (std::ranges::none_of(rowFields, isTyped)) return m_isRecorded(asAdded, ReadingColumn::Used);
@@ -71,7 +71,7 @@ class PatchEntries {
   std::size_t m_position;
   const char* m_why;
   const IsRecorded& m_isRecorded;
-  std::size_t m_count = 0;              ///< number of journal entries
+  std::size_t m_count = 0;              ///< number of entries, including those not stored
   std::vector<JournalEntry> m_entries;  ///< the first `mostEntries` of them
 };
 
@@ -81,7 +81,7 @@ std::vector<JournalEntry> entriesOf(const Session& session, std::size_t position
                                     const char* why, const IsRecorded& isRecorded) {
   PatchEntries entries(session, position, why, isRecorded);
   for (const ReadingsPatch::Cell& cell : patch.cells()) entries.addCell(cell);
-  // Listed from the last row to the first, each index is valid in the rows that the entry before leaves.
+  // Removed rows are listed from the last to the first, so that no removal shifts the index of a later entry.
   const auto& gone = patch.gone();
   for (auto row = gone.rbegin(); row != gone.rend(); ++row) entries.addRow(row->reading, row->index, true);
   std::size_t index = patch.addedFirst();

@@ -12,7 +12,7 @@ namespace {
 
 constexpr std::string_view ofInstrument = "instrument.known[", ofDevice = "device.known[";
 
-/// The entries of each catalogued number, in the order of the measurement; unknown numbers under null.
+/// The entries of each catalogued number, those of the instrument first; unknown numbers are under null.
 std::map<const EffectParameter*, std::vector<KnownRef>> entriesByNumber(const Session& session) {
   std::map<const EffectParameter*, std::vector<KnownRef>> entries;
   for (const KnownOwner owner : {KnownOwner::Instrument, KnownOwner::Device}) {

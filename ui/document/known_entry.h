@@ -12,11 +12,11 @@
 
 namespace alidade::ui {
 
-// The known sizes of a session: by entry in its two lists, and by catalogued number.
+// Access to the known sizes of a session: by entry in its two lists, and by catalogued number.
 
 enum class KnownOwner { Instrument, Device };
 
-/// One entry of a list; it may be beyond the end of the list.
+/// The owner of a list and an index into the list; the index may be beyond the end.
 struct KnownRef {
   KnownOwner owner = KnownOwner::Instrument;
   std::size_t index = 0;
@@ -24,7 +24,7 @@ struct KnownRef {
   bool operator==(const KnownRef&) const = default;
 };
 
-/// Device for effects of the guideway itself, instrument for all others: a drift belongs to the set-up.
+/// Device for effects of the guideway itself; instrument for all others, such as a drift of the set-up.
 KnownOwner ownerOf(const Effect& effect);
 
 const std::vector<KnownSize>& knownBy(const Session& session, KnownOwner owner);
@@ -33,7 +33,7 @@ std::vector<KnownSize>& knownBy(Session& session, KnownOwner owner);
 /// Null if the session has no such entry.
 const KnownSize* knownSize(const Session& session, const KnownRef& ref);
 
-/// {.field = "instrument.known[2]"}, followed by ".sigma" if `member` is "sigma".
+/// The place {.field = "instrument.known[2]"}; for the member "sigma", ".sigma" is appended.
 Place placeOf(const KnownRef& ref, std::string_view member = {});
 
 struct KnownPlace {
@@ -44,10 +44,10 @@ struct KnownPlace {
 /// The reverse of `placeOf`; absent if `place` is not an entry of the known sizes.
 std::optional<KnownPlace> knownAt(const Place& place);
 
-/// A catalogued number with its known size, or an entry of an unknown number.
+/// A catalogued number, with or without a known size, or an entry for a number unknown to the catalogue.
 struct KnownRow {
   const Effect* effect = nullptr;              ///< null: number unknown to the catalogue
-  const EffectParameter* parameter = nullptr;  ///< null likewise
+  const EffectParameter* parameter = nullptr;  ///< null if `effect` is null
   std::optional<KnownRef> entry = {};          ///< absent: no known size, so the default applies
   bool isFurther = false;                      ///< an entry above is for the same number
 

@@ -11,11 +11,11 @@
 
 namespace alidade::ui {
 
-/// Entries still open: retyping them is not a recorded change. Open are the cells of one row, or one pointing
-/// zero, until another entry; form fields until the session is saved. All others are recorded.
+/// Entries that are still open, so that retyping them is not a recorded change. Filled cells of one row, or
+/// one text of a pointing zero, are open until another entry; form fields until the session is saved.
 class OpenEntries {
  public:
-  /// Closes all: the session was saved, or it was in a file before.
+  /// Closes all entries; called when the session was saved or comes from a file.
   void close();
   void closeRow() { m_row.reset(); }
 

@@ -185,7 +185,7 @@ constexpr bool isEachInItsPlace() {
 }
 static_assert(isEachInItsPlace(), "one line for each ReadingColumn, in their order");
 
-#ifndef __SANITIZE_ADDRESS__  // GCC 12 does not accept address comparisons as constant there
+#ifndef __SANITIZE_ADDRESS__  // with AddressSanitizer, GCC 12 rejects constant address comparisons
 static_assert(std::ranges::all_of(rowFields,
                                   [](const RowField& field) {
                                     return std::ranges::count(columns, &field, &ReadingColumnInfo::field) ==

@@ -34,17 +34,17 @@ inline constexpr int readingColumnCount = static_cast<int>(ReadingColumn::Note) 
 /// English, for translation in the context "ReadingColumn".
 struct ReadingColumnInfo {
   ReadingColumn column;
-  const RowField* field;  ///< the edited field of the row; null: not editable, as residuals
+  const RowField* field;  ///< the edited field of the row; null: not editable, as for residuals
   const char* title;
   const char* toolTip;
   const char* noun;          ///< in undo texts and messages; null if not editable
-  const char* menuText;      ///< shows it although no row uses it; null: always shown
-  const char* widest;        ///< text that sets the width; null: an angle, whose width depends on the table's
-  const char* printedTitle;  ///< in the report; null: no such column
+  const char* menuText;      ///< menu item that shows the column while no row uses it; null: always shown
+  const char* widest;        ///< text that sets the width; null: an angle, as wide as the table allows
+  const char* printedTitle;  ///< title in the report; null: not printed
   double printedWidth;       ///< mm
 };
 
-/// All of them, in the order shown.
+/// All columns, in the order shown.
 std::span<const ReadingColumnInfo> allReadingColumns();
 
 const ReadingColumnInfo& infoOf(ReadingColumn column);

@@ -30,10 +30,10 @@ struct RowSpan {
 };
 
 /// The changes of an edit to the rows of one position, in both directions: single texts, removed rows, added
-/// rows. For one cell among a hundred thousand rows it holds two texts.
+/// rows. Unchanged rows are not stored, so a change of one cell stores only two texts.
 class ReadingsPatch {
  public:
-  /// What the edit does to the first text of the cell, which the row keeps.
+  /// What the edit does to the cell's first text in `Reading::asRead`.
   enum class First { Untouched, Kept, Dropped };
   struct Cell {
     std::size_t row = 0;
@@ -47,31 +47,31 @@ class ReadingsPatch {
   };
 
   ReadingsPatch() = default;
-  /// New texts for cells of `rows`, and further rows after the last. Ignores cells elsewhere.
+  /// Sets texts in cells of `rows` and appends rows after the last. Ignores cells outside `rows`.
   ReadingsPatch(const std::vector<Reading>& rows, const std::vector<NewText>& texts,
                 std::vector<Reading> appended = {});
-  /// Clears these cells. Ignores empty cells and those elsewhere.
+  /// Returns a patch that clears these cells. Ignores empty cells and cells outside `rows`.
   static ReadingsPatch clearing(const std::vector<Reading>& rows, const std::vector<ReadingCell>& cells);
   /// Returns a patch in which `inserted` replaces `removed` rows from `first` on.
   static ReadingsPatch replacing(const std::vector<Reading>& rows, std::size_t first, std::size_t removed,
                                  const std::vector<Reading>& inserted);
-  /// Removes these rows. Ignores missing rows.
+  /// Returns a patch that removes these rows. Ignores missing rows.
   static ReadingsPatch removing(const std::vector<Reading>& rows, const std::vector<std::size_t>& gone);
 
   bool isEmpty() const { return m_cells.empty() && m_gone.empty() && m_new.empty(); }
-  RowSpan span() const;  ///< for `apply`; `revert` has before and after exchanged
+  RowSpan span() const;  ///< rows changed by `apply`; for `revert`, exchange before and after
   std::size_t cellCount() const { return m_cells.size(); }
-  std::size_t rowCount() const { return m_gone.size() + m_new.size(); }  ///< number of rows held completely
+  std::size_t rowCount() const { return m_gone.size() + m_new.size(); }  ///< number of removed and added rows
 
-  const std::vector<Cell>& cells() const { return m_cells; }  ///< of rows present before and after
-  const std::vector<Row>& gone() const { return m_gone; }     ///< ascending by their previous row numbers
+  const std::vector<Cell>& cells() const { return m_cells; }  ///< of rows that the edit keeps
+  const std::vector<Row>& gone() const { return m_gone; }     ///< ascending by row number before the edit
   const std::vector<Reading>& added() const { return m_new; }
   std::size_t addedFirst() const { return m_newFirst; }  ///< row number of the first of `added`
   /// The only changed or added row; absent if there are several, or if a row is removed.
   std::optional<std::size_t> onlyRow() const;
 
-  /// Keeps the text of a recorded cell as the row's first text at its first change; restoring that text
-  /// removes it again. Call before `apply`, with the same rows.
+  /// Marks which first texts `apply` keeps or drops: it keeps a recorded cell's text at the first change, and
+  /// drops the kept text when the cell regains it. Call before `apply`, with the same rows.
   void keepFirstTexts(const std::vector<Reading>& rows,
                       const std::function<bool(std::size_t row, ReadingColumn column)>& isRecorded);
 

@@ -41,16 +41,16 @@ class SessionDocument : public QObject {
   QString path() const { return m_files.path(m_undoStack.index()); }
   /// The files of all sessions that undo and redo lead to.
   QStringList paths() const { return m_files.paths(); }
-  /// In a protocol by worth, the next sighting of highest worth, as in `progressOf`; absent until it is
-  /// known.
+  /// In a protocol by worth (`isByWorth`), the index of the next sighting, which has the highest worth.
+  /// Passed to `progressOf` as `chosen`; absent until it is computed.
   std::optional<std::size_t> chosenSighting() const { return m_chosenSighting; }
   void setChosenSighting(std::optional<std::size_t> chosen);
-  /// Files from which its parts were read: readings, instrument, protocol.
+  /// Files from which parts of the session were read: readings, instrument, protocol.
   QStringList readPaths() const { return m_readPaths; }
   void noteRead(const QStringList& paths) { m_readPaths += paths; }
   QString displayName() const;  ///< the file's name, or "Untitled"
   bool isModified() const { return m_files.isModified(m_undoStack.index()); }
-  /// The path of another, unsaved session that redo or undo leads to: see `SessionFiles`.
+  /// The path of another session with unsaved changes, to which redo (ahead) or undo (behind) leads.
   std::optional<QString> unsavedAhead() const {
     return m_files.unsavedAhead(m_undoStack.index(), m_undoStack.count());
   }
@@ -58,7 +58,7 @@ class SessionDocument : public QObject {
     return m_files.unsavedBehind(m_undoStack.index(), m_undoStack.count());
   }
 
-  /// Pushes an edit onto the undo stack; there is no other way. Takes ownership of the command.
+  /// Pushes an edit onto the undo stack. Takes ownership of the command.
   void push(QUndoCommand* command);
   /// Pushes a command that replaces the present session by an unsaved one.
   void pushAnother(QUndoCommand* command);
@@ -75,15 +75,15 @@ class SessionDocument : public QObject {
   /// Starts with an unsaved session that was in a file before: its entries count as recorded, so changes
   /// enter the journal.
   void startWithRecorded(Session session);
-  /// Absent: loaded. A session with invalid entries loads; if the file is not a session, the document stays
-  /// unchanged.
+  /// Loads a session, also one with invalid entries. If the file cannot be read as a session, returns the
+  /// problem and leaves the document unchanged.
   [[nodiscard]] std::optional<Problem> load(const QString& path);
   void startFrom(FiledSession file, const QString& path);
-  /// Absent: saved completely. If writing fails, the old file remains.
+  /// Saves completely, or returns the problem and leaves the old file.
   [[nodiscard]] std::optional<Problem> save(const QString& path);
   /// SHA-256 of the bytes last read from or written to `path()`; empty if there were none.
   QByteArray knownSha256() const { return m_knownSha256.value(path()); }
-  /// The current session now equals this file, whose bytes have that hash.
+  /// Records that the current session equals the file at `path`, whose bytes have this SHA-256.
   void markSaved(const QString& path, const QByteArray& sha256);
 
  signals:

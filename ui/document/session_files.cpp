@@ -61,7 +61,7 @@ std::optional<QString> SessionFiles::unsavedBehind(int index, int count) const {
   return {};
 }
 
-/// The session current at `index`.
+/// The index in `m_files` of the session that is current at the stack index `index`.
 std::size_t SessionFiles::at(int index) const {
   std::size_t file = m_files.size() - 1;
   while (file > 0 && m_files[file].begins > index) --file;

@@ -7,37 +7,37 @@
 
 namespace alidade::ui {
 
-/// The files of the sessions on one undo stack: an import begins another session, and undo returns to the
-/// previous one. Each has its file, and the stack index at which it equals its file. Indices are those of
-/// `QUndoStack`: the number of executed commands.
+/// The files of the sessions on one undo stack. An import begins another session; undo returns to the
+/// previous one. Each session can have a file, and the stack index at which the session equals that file.
+/// Indices are those of `QUndoStack`: the number of executed commands.
 class SessionFiles {
  public:
-  /// A single session, equal to its file if it has one: the stack is empty.
+  /// Starts with an empty stack and one session, which equals its file if `path` is not empty.
   void restart(const QString& path);
-  /// The commands from `index` on are about to be dropped from the stack.
+  /// Called before the commands from `index` on are dropped from the stack.
   void dropFrom(int index);
   /// The next command, at `index`, replaces the present session by another. The user agreed to leave the
   /// present one as it is.
   void beginAnother(int index);
-  /// The session at `index` is saved in `path`; a previous session there no longer has a file, as the user
-  /// agreed.
+  /// Records that the session at `index` was saved in `path`. If another session had this file, that session
+  /// loses it, as the user agreed.
   void setSaved(int index, const QString& path);
 
   QStringList paths() const;                                         ///< of all sessions with a file
   QString path(int index) const { return m_files[at(index)].path; }  ///< empty: never saved
   bool isModified(int index) const { return m_files[at(index)].savedAt != index; }
-  /// The path of a session that redo leads to from `index` and that differs from its file, with `count`
-  /// commands on the stack. Absent: there is none.
+  /// The path of a session to which redo leads from `index` and which differs from its file; absent if no
+  /// session does. `count`: the number of commands on the stack.
   std::optional<QString> unsavedAhead(int index, int count) const;
-  /// As `unsavedAhead`, for sessions that undo leads back to, except those that the user left unsaved.
+  /// Like `unsavedAhead`, for sessions to which undo leads, except those that the user left unsaved.
   std::optional<QString> unsavedBehind(int index, int count) const;
 
  private:
   struct File {
     QString path = {};
     int begins = 0;          ///< index from which on the session is current
-    int savedAt = -1;        ///< index at which it equals its file; −1: none
-    bool isGivenUp = false;  ///< the user agreed to leave it unsaved
+    int savedAt = -1;        ///< index at which the session equals its file; −1: none
+    bool isGivenUp = false;  ///< the user agreed to leave the session unsaved
   };
 
   std::size_t at(int index) const;

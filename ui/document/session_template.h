@@ -4,7 +4,7 @@
 
 namespace alidade::ui {
 
-/// The session that a new one starts with: a blank one with the entries kept on this machine.
+/// The content of a new session: as kept on this machine, else blank with the usual protocol.
 Session templateSession();
 /// Keeps the entries of `session` for new sessions.
 void keepTemplate(const Session& session);

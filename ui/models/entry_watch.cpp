@@ -14,7 +14,7 @@ EntryWatch::EntryWatch(SessionDocument& document, QObject* parent) : QObject(par
   connect(&document, &SessionDocument::changed, this, &EntryWatch::look);
 }
 
-/// Checks a circle, empty before, that was typed in the next expected row.
+/// Checks a circle reading that was typed into an empty cell of the next expected row.
 void EntryWatch::look(const SessionChange& change) {
   if (change.kind != SessionChange::Kind::Readings || change.inserted != 1 || !m_before) return;
   const std::size_t position = *change.place.position, row = *change.place.reading;

@@ -12,7 +12,7 @@ namespace alidade::ui {
 class SessionDocument;
 struct SessionChange;
 
-/// Compares each reading, as it is typed, with the reading expected before: a slip is noticed while the
+/// Compares each typed reading with the expected reading, so that a gross error is noticed while the
 /// telescope still points at the target.
 class EntryWatch : public QObject {
   Q_OBJECT
@@ -23,7 +23,7 @@ class EntryWatch : public QObject {
   void setEvaluation(const SharedEvaluation& evaluation) { m_before = evaluation; }
 
  signals:
-  /// A circle of the next row was read; `doubt` is empty if it is as expected or nothing was expected.
+  /// A reading of the next row was typed; `doubt` is empty unless another reading was expected.
   void entered(std::size_t position, std::size_t row, alidade::ui::ReadingColumn column,
                const QString& doubt);
 
@@ -32,7 +32,7 @@ class EntryWatch : public QObject {
   QString doubtOf(const NextReading& next, ReadingColumn column, const std::string& typed) const;
 
   SessionDocument& m_document;
-  SharedEvaluation m_before;  ///< null before the first
+  SharedEvaluation m_before;  ///< null before the first evaluation
 };
 
 }  // namespace alidade::ui

@@ -241,7 +241,7 @@ QString KnownSizesModel::about(const QModelIndex& index) const {
       .arg(capitalised(qText(Phrase::of(row.effect->description))), ownerName(ownerOf(*row.effect)));
 }
 
-/// An added or removed entry shifts later ones in their list, so the row that gains or loses one has changed.
+/// The first row that gained or lost an entry has changed; later entries of its list only shift their index.
 void KnownSizesModel::follow(const SessionChange& change) {
   if (change.kind != SessionChange::Kind::Everything && !knownAt(change.place)) return;
   std::vector<KnownRow> rows = knownRows(m_document.session());

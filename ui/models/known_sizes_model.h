@@ -22,8 +22,8 @@ class KnownSizesModel : public QAbstractTableModel {
 
   enum Role {
     ProblemRole = Qt::UserRole + 1,  ///< QString: why the entry is unusable
-    IncompleteRole,                  ///< bool: an entry still to be made
-    QuietRole,                       ///< bool: not from the session
+    IncompleteRole,                  ///< bool: the standard uncertainty is still to be typed
+    QuietRole,                       ///< bool: shown pale, since the text was not typed
   };
 
   explicit KnownSizesModel(SessionDocument& document, QObject* parent = nullptr);
@@ -37,12 +37,12 @@ class KnownSizesModel : public QAbstractTableModel {
 
   /// True if a text in the table is unusable.
   bool hasProblem() const;
-  /// The cell of an entry of the session; if it was removed, the last changed cell. Invalid if nothing
-  /// changed.
+  /// The cell of an entry; if the entry no longer exists, the cell in the row that changed last. Invalid if
+  /// no row has changed.
   QModelIndex cellOf(const KnownPlace& place) const;
   /// The cell of the first parameter of a catalogued effect; invalid if there is none.
   QModelIndex cellOf(const std::string& effect) const;
-  /// `text` typed into a cell.
+  /// The unfinished entry `text`, typed into a cell.
   HalfTypedText halfTyped(const QModelIndex& cell, const QString& text) const;
 
  private:
@@ -58,7 +58,7 @@ class KnownSizesModel : public QAbstractTableModel {
 
   SessionDocument& m_document;
   std::vector<KnownRow> m_rows;
-  int m_lastChanged = -1;  ///< row
+  int m_lastChanged = -1;  ///< row number; −1: none
 };
 
 }  // namespace alidade::ui

@@ -256,8 +256,8 @@ int ReadingsModel::decimalsIn(ReadingColumn column) const {
   return found == m_decimals.end() ? 0 : found->second;
 }
 
-/// All angles of a column have the decimals of the finest of its first thousand rows. Returns true if the
-/// form of any angle changed.
+/// All angles of a column are shown with as many decimals as the finest of its first thousand rows. Returns
+/// true if the form of any angle changed.
 bool ReadingsModel::followAngles(const Session& session) {
   constexpr std::size_t most = 1000;
   if (m_position >= session.positions.size()) return false;
@@ -276,7 +276,7 @@ bool ReadingsModel::followAngles(const Session& session) {
   return before != std::pair(m_unit, m_decimals);
 }
 
-/// Cells with unchanged text are not repainted.
+/// Signals only the residuals if nothing else changed, and nothing if all texts stay the same.
 void ReadingsModel::setEvaluation(SharedEvaluation evaluation) {
   const bool isShownAlike = !followAngles(evaluation->session);
   const RowNotes::News news = std::max(m_notes.setEvaluation(std::move(evaluation)),
@@ -310,8 +310,8 @@ bool ReadingsModel::isMine(const SessionChange& change) const {
   return change.kind == SessionChange::Kind::Readings && change.place.position == m_position;
 }
 
-/// Rows typed after the last reading take the place of the empty row, which moves down: the cell being edited
-/// keeps its place.
+/// Rows typed after the last reading take the place of the empty row, which moves down, so that the cell
+/// being edited keeps its index.
 void ReadingsModel::beginChange(const SessionChange& change) {
   if (!isMine(change) || change.removed == change.inserted) return;
   const int first = static_cast<int>(*change.place.reading);

@@ -26,7 +26,7 @@ class ReadingsModel : public QAbstractTableModel {
     SuspectRole,                     ///< QString: why the reading looks misread or is unexpected
     IncompleteRole,                  ///< bool: an entry still to be made
     ExcludedRole,                    ///< bool: the row is excluded from the fit
-    ChangedRole,                     ///< bool: it differs from its first entry
+    ChangedRole,                     ///< bool: the cell differs from its first text
     PendingRowRole,                  ///< bool: the empty row at the end
   };
 
@@ -46,15 +46,15 @@ class ReadingsModel : public QAbstractTableModel {
     int row = 0;
     ReadingColumn column = ReadingColumn::Horizontal;
   };
-  /// The first unread circle; in the empty row if all are read.
+  /// The first missing circle reading of a row in use; in the empty row if none is missing.
   OpenCell firstOpenCell() const;
 
-  /// Signals changed residuals, or all cells if problems or suspects changed: a view queries only the visible
-  /// ones.
+  /// Signals a change of the residuals, or of all cells if problems, suspects or the form of angles changed.
+  /// A view queries only visible cells.
   void setEvaluation(SharedEvaluation evaluation);
 
-  /// An objection to the current reading; kept until the cell is changed, or rows before it are added or
-  /// removed.
+  /// Sets an objection to the cell's present text; kept until the cell is changed, or rows before it are
+  /// added or removed.
   void setDoubt(std::size_t row, ReadingColumn column, const QString& doubt);
 
   /// True if any row has a text in the column other than the default, such as face 1.
@@ -77,7 +77,7 @@ class ReadingsModel : public QAbstractTableModel {
   bool isIncomplete(int row, ReadingColumn column) const;
   QString toolTip(int row, ReadingColumn column) const;
   QString otherTip(int row, ReadingColumn column) const;
-  /// Empty if the cell has its first entry.
+  /// Empty if the cell still has its first text.
   QString changeTip(int row, ReadingColumn column) const;
   QString residualTip(int row, ReadingColumn column) const;
   QString accessibleText(int row, ReadingColumn column) const;
@@ -94,7 +94,7 @@ class ReadingsModel : public QAbstractTableModel {
   std::size_t m_position;
   RowNotes m_notes;
   struct Doubt {
-    std::string of;  ///< as typed
+    std::string of;  ///< typed text that the objection is about
     QString text;
   };
   std::map<std::pair<std::size_t, ReadingColumn>, Doubt> m_doubts;

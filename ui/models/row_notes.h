@@ -11,13 +11,13 @@
 
 namespace alidade::ui {
 
-/// Notes of the newest evaluation on the rows of one position. Edits since are tracked, so each row keeps its
-/// notes until the next evaluation.
+/// Notes of the newest evaluation on the rows of one position. Later edits are tracked, so that untouched
+/// rows keep their notes; a retyped row keeps only its residual.
 class RowNotes {
  public:
   explicit RowNotes(std::size_t position) : m_position(position) {}
 
-  /// The changes relevant to a view.
+  /// What a view must show again after an evaluation.
   enum class News { None, Residuals, Everything };
   News setEvaluation(SharedEvaluation evaluation);
   /// `inserted` rows replaced `removed` rows from `first` on.
@@ -44,16 +44,16 @@ class RowNotes {
 
   struct Origin {
     std::size_t row = 0;
-    bool isUntouched = true;  ///< false: edited since
+    bool isUntouched = true;  ///< false: the row was edited after the evaluation
   };
   std::optional<Origin> origin(std::size_t row) const {
     return row < m_origins.size() ? m_origins[row] : std::nullopt;
   }
 
   std::size_t m_position;
-  SharedEvaluation m_evaluation;  ///< null before the first
+  SharedEvaluation m_evaluation;  ///< null before the first evaluation
   Index m_problems, m_suspects;
-  std::vector<std::optional<Origin>> m_origins;  ///< of each row, in the evaluated session; none: a new row
+  std::vector<std::optional<Origin>> m_origins;  ///< origin of each row in the evaluated session; absent: new
   bool m_isMoved = false;                        ///< whether any row has changed since the evaluation
 };
 

@@ -50,14 +50,14 @@ void Drafts::keepIn(const QString& folder) {
   adoptLeftBehind(folder);
 }
 
-/// If two processes left the same form, the second draft waits for a later start.
+/// A file waits for a later start if it has a draft of a form already restored from another file.
 void Drafts::adoptLeftBehind(const QString& folder) {
   for (const auto& left : RecoverySlot::leftBehind(folder, RecoverySlot::Kind::Drafts)) {
     const QJsonObject forms = draftsIn(left->path());
     const QStringList names = forms.keys();
     if (std::ranges::any_of(names, [this](const QString& name) { return m_all.contains(name); })) continue;
     for (const QString& name : names) m_all[name] = forms[name];
-    if (!m_all.isEmpty() && write(m_slot->path(), m_all)) return;  // the found drafts stay in place
+    if (!m_all.isEmpty() && write(m_slot->path(), m_all)) return;  // the files found stay in place
     left->remove();
   }
 }
@@ -67,7 +67,7 @@ void Drafts::startWriter() {
       [this](const std::shared_ptr<const Written>& problem) { finishWriting(*problem); });
 }
 
-/// Further keys do not postpone the writing.
+/// Further keystrokes do not postpone the writing.
 void Drafts::set(const QString& form, const QJsonObject& draft) {
   if (!isKept() || of(form) == draft) return;
   if (draft.isEmpty())

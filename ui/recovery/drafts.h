@@ -12,10 +12,10 @@
 
 namespace alidade::ui {
 
-/// Typing in forms outside any session (rows of an instrument check, a protocol, the pointing zeros of an
-/// import), stored per form name until the form is accepted or cancelled.
-/// A form reports each key; a separate thread writes a quarter of a second after the first unwritten one.
-/// Drafts of a terminated process are restored.
+/// Unfinished typing in forms outside any session (rows of an instrument check, a protocol, the pointing
+/// zeros of an import), stored per form name until the form is accepted or cancelled.
+/// A form reports each keystroke; a separate thread writes the drafts 0.25 s after the first unwritten
+/// keystroke. Drafts of a terminated process are restored.
 class Drafts : public QObject {
   Q_OBJECT
 
@@ -33,11 +33,11 @@ class Drafts : public QObject {
   /// Replaces the draft of the form; empty: removes it.
   void set(const QString& form, const QJsonObject& draft);
 
-  /// Writes pending drafts and waits, before the process ends.
+  /// Writes pending drafts and waits for the end of writing; called before the process ends.
   void keepNow();
 
  signals:
-  /// Reports why drafts cannot be written; empty: they can again.
+  /// Reports why drafts cannot be written; empty: they can be written again.
   void troubled(const QString& sentence);
 
  private:
@@ -54,7 +54,7 @@ class Drafts : public QObject {
   std::unique_ptr<RecoverySlot> m_slot;
   QTimer m_timer;
   bool m_isDue = false;  ///< newer data wait for the end of the running write
-  QString m_trouble;     ///< as reported
+  QString m_trouble;     ///< the sentence last reported
   std::unique_ptr<Background<Written>> m_writing;
 };
 

@@ -6,17 +6,17 @@
 
 namespace alidade::ui {
 
-/// Shows the windows of one user, in any process, which session files are open: by lock files in a folder,
-/// one for each file. Locks of terminated processes are ignored.
+/// Shows all windows of one user, in any process, which session files are open. Each open file has a lock
+/// file in one folder. Locks of terminated processes are ignored.
 class FileLock {
  public:
   /// Without a folder nothing is locked, and nothing is found locked.
   void setFolder(const QString& folder) { m_folder = folder; }
 
-  /// The other holder of the file, "process 4711"; empty: nobody.
+  /// The process of another window that has locked the file, such as "process 4711"; empty: none.
   QString holder(const QString& path) const;
-  /// Locks this file for the window, and releases the previous one. If another window holds it, the next call
-  /// tries again.
+  /// Locks this file for the window, and releases the previous one. If another window has locked the file,
+  /// the next call tries again.
   void hold(const QString& path);
 
  private:

@@ -56,7 +56,7 @@ void FileWatch::setHeld(bool is) {
   if (!is) look();
 }
 
-/// Ignores the result if another file is current now, or if a save meanwhile started its own check.
+/// Ignores the result if another file is current now, or if the session was saved meanwhile.
 void FileWatch::finishReading(const QByteArray& sha256) {
   if (m_isHeld) {
     m_seen = {};

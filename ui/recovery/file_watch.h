@@ -12,8 +12,8 @@ namespace alidade::ui {
 
 class SessionDocument;
 
-/// Detects when another program writes the current session's file. Only for a notice: saving reads the file
-/// again.
+/// Detects when another program writes the current session's file. The result serves only for a notice, since
+/// saving reads the file again.
 class FileWatch : public QObject {
   Q_OBJECT
 
@@ -21,8 +21,8 @@ class FileWatch : public QObject {
   explicit FileWatch(SessionDocument& document, QObject* parent = nullptr);
 
   bool isChanged() const { return m_isChanged; }
-  /// Checks the file, for example when the window becomes active, since some disks report no changes. Results
-  /// arrive later.
+  /// Starts a check of the file; `changedElsewhere` reports a new result later. Also called when the window
+  /// becomes active, since some file systems report no changes.
   void look();
   /// Suspends checks while the window itself writes the file.
   void setHeld(bool is);
@@ -49,7 +49,7 @@ class FileWatch : public QObject {
   Seen m_seen;
   bool m_isChanged = false;
   bool m_isHeld = false;
-  bool m_isDue = false;  ///< a check was requested during the last one
+  bool m_isDue = false;  ///< a check was requested while another was running
   Background<QByteArray> m_reading;
 };
 

@@ -24,7 +24,7 @@ class FormDraft : public QObject {
   /// restored.
   FormDraft(const QString& form, const QString& of, QObject* parent);
 
-  /// `key`: identifies this entry in every process.
+  /// `key` identifies the entry, also in a later process.
   void add(const QString& key, QLineEdit& entry);
   void add(const QString& key, QSpinBox& entry);
   void add(const QString& key, QDoubleSpinBox& entry);
@@ -33,19 +33,19 @@ class FormDraft : public QObject {
 
   /// True if a restored text differed from its entry.
   bool isRestored() const { return m_isRestored; }
-  /// The form was accepted or cancelled.
+  /// Removes the draft, because the form was accepted or cancelled.
   void finish();
   /// Finishes when `dialog` closes in any way except by the end of the process.
   void finishWith(const QDialog& dialog);
 
  private:
-  /// The stored value of the entry; undefined if absent or equal to the entry.
+  /// The stored value of the entry; undefined if it is absent or equal to `held`, the entry's own value.
   QJsonValue kept(const QString& key, const QJsonValue& held);
   void set(const QString& key, const QJsonValue& value);
 
   QString m_form, m_of;
-  QJsonObject m_found;    ///< of a terminated process
-  QJsonObject m_entries;  ///< the changed ones
+  QJsonObject m_found;    ///< entries of the draft found when this form opened
+  QJsonObject m_entries;  ///< changed entries
   bool m_isRestored = false;
 };
 

@@ -9,8 +9,8 @@
 
 namespace alidade::ui {
 
-/// Unfinished entries that accompany a record of unsaved changes. A separate file, so that a key does not
-/// copy the session.
+/// Unfinished entries that accompany a record of unsaved changes. They have a separate file, so that a
+/// keystroke does not write the session again.
 struct HalfTypedRecord {
   QString of;  ///< `RecoveryRecord::id` of the session being typed into
   std::vector<HalfTypedText> texts;
@@ -20,7 +20,7 @@ struct HalfTypedRecord {
 
 std::string halfTypedRecordText(const HalfTypedRecord& record);
 
-/// A sentence if the bytes are not such a record.
+/// Returns a problem if the bytes are not such a record.
 Result<HalfTypedRecord> readHalfTypedRecord(const std::string& bytes);
 
 }  // namespace alidade::ui

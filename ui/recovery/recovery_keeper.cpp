@@ -70,7 +70,7 @@ bool RecoveryKeeper::isNeeded() const {
   return m_document.isModified() || !m_document.halfTyped().isEmpty();
 }
 
-/// Starts the wait for the next write; further keys do not postpone it. A saved session needs no record.
+/// Schedules the next write; further keystrokes do not postpone it. A saved session needs no record.
 void RecoveryKeeper::schedule() {
   if (!isNeeded())
     keep();
@@ -107,8 +107,8 @@ RecoveryKeeper::Due RecoveryKeeper::takeDue() {
   return due;
 }
 
-/// Writes the record first. The file of unfinished entries names the id of its record: with a new record, the
-/// entries of an earlier one no longer count.
+/// Writes the record first. The file of unfinished entries names the id of its record, so that entries of an
+/// earlier record are ignored.
 RecoveryKeeper::Written RecoveryKeeper::write(const Due& due) {
   if (due.record)
     if (Written problem = writePrivately(due.path, recoveryText(*due.record))) return problem;

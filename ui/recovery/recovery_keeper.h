@@ -26,14 +26,14 @@ class RecoveryKeeper : public QObject {
 
   /// Continues a recovered record, whose session is now current.
   void adopt(std::unique_ptr<RecoverySlot> slot);
-  /// Writes pending changes and waits, before the process ends.
+  /// Writes pending changes and waits for the end of writing; called before the process ends.
   void keepNow();
-  /// The window closes normally: no recovery is needed.
+  /// Removes the record, because the window closes normally.
   void finish();
   QString path() const { return m_slot->path(); }  ///< path of the record
 
  signals:
-  /// Reports why the record cannot be written; empty: it can again.
+  /// Reports why the record cannot be written; empty: it can be written again.
   void troubled(const QString& sentence);
 
  private:
@@ -62,7 +62,7 @@ class RecoveryKeeper : public QObject {
   QString m_recordId;          ///< id of the existing record
   bool m_isSessionDue = true;  ///< the session differs from the record
   bool m_isDue = false;        ///< newer data wait for the end of the running write
-  QString m_trouble;           ///< as reported
+  QString m_trouble;           ///< the sentence last reported
   std::unique_ptr<Background<Written>> m_writing;
 };
 

@@ -19,11 +19,11 @@ struct RecoveryRecord {
   QString id = {};  ///< unique id, to which `HalfTypedRecord` refers
 };
 
-/// A line of JSON about the file, then the session as its file text: without the first line, the rest opens
-/// as a session.
+/// The text of a record: a line of JSON about the file, then the session as in a session file. The text after
+/// the first line can be opened as a session.
 std::string recoveryText(const RecoveryRecord& record);
 
-/// A sentence if the bytes are not such a record.
+/// Returns a problem if the bytes are not such a record.
 Result<RecoveryRecord> readRecovery(const std::string& bytes);
 
 }  // namespace alidade::ui

@@ -23,7 +23,7 @@ void clearStaleLocks(const QDir& folder, const QString& suffix) {
     if (QFile::exists(path.chopped(lockSuffix.size()))) continue;
     QLockFile lock(path);
     lock.setStaleLockTime(0);
-    lock.tryLock(0);  // removed at the end of the block
+    lock.tryLock(0);  // `lock` removes the file at the end of the block
   }
 }
 

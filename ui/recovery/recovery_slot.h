@@ -8,8 +8,8 @@
 namespace alidade::ui {
 
 /// The files of one window for unsaved changes and unfinished entries, reserved by a lock file for the
-/// lifetime of this object. The record outlives it: after a crash the lock is free, and the next start finds
-/// the record.
+/// lifetime of this object. The record remains when the object ends: after a crash the lock is free, and the
+/// next start finds the record.
 class RecoverySlot {
  public:
   enum class Kind {
@@ -19,13 +19,13 @@ class RecoverySlot {
 
   /// A new slot. Creates the folder as private if missing.
   static std::unique_ptr<RecoverySlot> create(const QString& folder, Kind kind = Kind::Session);
-  /// Slots of the kind with a record and without a living window, now held by the caller, ordered by name.
+  /// Locks and returns the slots of this kind that have a record but no running process, ordered by name.
   static std::vector<std::unique_ptr<RecoverySlot>> leftBehind(const QString& folder,
                                                                Kind kind = Kind::Session);
 
   QString path() const { return m_path; }  ///< path of the record
   QString typedPath() const;               ///< path of the unfinished entries
-  void remove() const;                     ///< removes both; the slot stays held
+  void remove() const;                     ///< removes both files; the slot stays locked
 
  private:
   explicit RecoverySlot(const QString& path);

@@ -4,8 +4,8 @@
 
 namespace alidade::ui {
 
-/// Reports termination requests in the event loop: SIGTERM, SIGINT or SIGHUP. A second equal signal ends the
-/// process at once. Signals ignored at the start, as by nohup, stay ignored. Only one instance at a time.
+/// Reports the signals SIGTERM, SIGINT and SIGHUP in the event loop. A second equal signal ends the process
+/// at once. Signals ignored at the start, as by nohup, stay ignored. Only one instance may exist at a time.
 class Termination : public QObject {
   Q_OBJECT
 

@@ -166,7 +166,7 @@ bool paintPages(QPagedPaintDevice& device, const Evaluation& evaluation, const R
                      });
 }
 
-/// `name`: the output named in an error.
+/// `name`: name of the output, for the text of a problem.
 Result<std::string> pdfOf(const Evaluation& evaluation, const ReportSource& source, const QString& name,
                           const ReportOptions& options) {
   auto results = resultsInBackground(options, source);

@@ -25,8 +25,8 @@ namespace alidade::ui {
 struct ReportSource {
   QString fileName;        ///< as shown at the foot of each page; empty: never saved
   QByteArray sha256;       ///< the digest of the file's bytes, 32 bytes as QCryptographicHash gives them
-  bool saved = true;       ///< false: session and file differ; then `sha256` is unused, and the digest of the
-                           ///< session as it would be saved is printed and labelled so
+  bool saved = true;       ///< false: session and file differ; the report then states the digest of the
+                           ///< session as it would be saved, labelled as such, instead of `sha256`
   QStringList paths = {};  ///< the session's files, which no report may replace
   QByteArray bytes = {};   ///< bytes of the file to attach, if `saved`
 };
@@ -37,24 +37,24 @@ struct ReportOptions {
   ReportPaper paper = {};
   QImage logo = {};        ///< logo of the laboratory; null: none
   QString language = {};   ///< id of a `LanguageInfo`; empty: the window's language
-  bool hasSession = true;  ///< attaches session and results to the file
+  bool hasSession = true;  ///< true: session and results are attached to the file
   std::optional<MonteCarlo> simulated =
       {};  ///< a Monte Carlo check of the same evaluation, reported with the budget
   std::shared_ptr<const DeviceHistory> history = {};  ///< history of the session's device; null: not included
-  /// The gap of the same evaluation, with sentences in the same language; null: it is assessed here.
+  /// The gap of the same evaluation, with sentences in the report's language; null: the report assesses it.
   std::shared_ptr<const Gap> gap = {};
   std::optional<Signer> signer = {};  ///< signs the file; the signature goes to `signaturePath`
   /// Called often while the report is written, with the share done, in the window's language. Returning false
-  /// stops the report; the result then names this reason.
+  /// stops the report, which then fails.
   std::function<bool(double done)> goesOn = {};
 };
 
 /// Writes the acceptance report, a PDF/A-3b of vectors and embedded fonts, with the session's file and any
 /// results (results.json) attached. Contents, unless left out: result and verdict, the diagnosis of the gap,
 /// both plots, every reading.
-/// Without a result the report gives the reason and no verdict. The file is replaced only after complete
-/// writing, and never one of `source`. Equal report and date give equal bytes. Returns the path, or why
-/// writing failed. Requires a QApplication, on any platform plugin, and its thread.
+/// Without a result the report gives the reason and no verdict. The old file is replaced only after complete
+/// writing; files of `source` are never replaced. Equal report and date give equal bytes. Returns the path,
+/// or why writing failed. Requires a QApplication, on any platform plugin, and its thread.
 Result<QString> writeAcceptanceReport(const Evaluation& evaluation, const ReportSource& source,
                                       const QString& outPath, const ReportOptions& options = {});
 
@@ -67,7 +67,7 @@ Result<std::string> acceptanceReportPdf(const Evaluation& evaluation, const Repo
 std::optional<Problem> writeSigned(const QString& path, const std::string& bytes,
                                    const std::optional<Signer>& signer, const ReportSource& source);
 
-/// Paints the same pages on a full-page device of any paper size. False: it failed or was stopped.
+/// Paints the same pages on a full-page device of any paper size. Returns false if it failed or was stopped.
 bool paintAcceptanceReport(QPagedPaintDevice& device, const Evaluation& evaluation,
                            const ReportSource& source, const ReportOptions& options);
 

@@ -9,7 +9,7 @@
 
 namespace alidade::ui {
 
-/// The name of the session's file inside a report: its own name, so that it is recognised.
+/// The name of the session attached to a report: that of its file, with the suffix `.alidade`.
 QString attachedName(const QString& fileName);
 
 /// True if the file begins like a PDF; false also if it cannot be read.

@@ -15,7 +15,7 @@ struct CertificateEntries {
   QString country = {};       ///< country of the laboratory, ISO 3166-1
   QString performedAt = {};   ///< "laboratory", "customer", …
   QString manufacturer = {};  ///< manufacturer of the device
-  bool isDraft = false;       ///< made in spite of missing entries
+  bool isDraft = false;       ///< true: made although required entries are missing
 
   bool operator==(const CertificateEntries&) const = default;
 };
@@ -26,8 +26,8 @@ struct WrittenCertificate {
 };
 
 /// The digital calibration certificate (`calibrationCertificate`) of an evaluation with its gap `report.gap`,
-/// issued on the report's date. Texts in English, and also in the report's language if different. `pdf`: the
-/// accompanying report, named `pdfName`; empty: none.
+/// issued on the report's date. Its texts are in English, and also in the report's language if that differs.
+/// `pdf`: the accompanying report, named `pdfName`; empty: none.
 Result<WrittenCertificate> certificateOf(const ReportSource& source, const ReportOptions& report,
                                          const CertificateEntries& entries, const std::string& pdf = {},
                                          const QString& pdfName = {});

@@ -18,7 +18,7 @@ Result<QString> writeDeviceHistory(const DeviceHistory& device, const QString& o
                                    const QStringList& inputs, const ReportPaper& paper = {},
                                    const QDateTime& date = QDateTime::currentDateTime());
 
-/// Adds to another report: changes of Δd, its control chart, and the sessions.
+/// Adds the changes of Δd, its control chart and the sessions to another report.
 void addDeviceHistory(ReportSheet& sheet, const DeviceHistory& device);
 
 }  // namespace alidade::ui

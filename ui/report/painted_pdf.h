@@ -10,7 +10,7 @@ class QPagedPaintDevice;
 
 namespace alidade::ui {
 
-/// A document as Qt writes it, PDF/A-1b, for `archivedPdf`. Absent if `paint` reports failure.
+/// The PDF/A-1b that Qt writes of what `paint` draws, for `archivedPdf`. Absent if `paint` reports failure.
 std::optional<std::string> paintedPdf(const ReportPaper& paper,
                                       const std::function<bool(QPagedPaintDevice& device)>& paint);
 

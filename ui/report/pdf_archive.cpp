@@ -29,7 +29,7 @@ QString producer() {
          QString::fromStdString(QPDF::QPDFVersion());
 }
 
-/// One property as an array of texts, as Dublin Core requires.
+/// Writes one property as an array with one text, as Dublin Core requires.
 void writeArray(QXmlStreamWriter& xml, const char* name, const char* kind, const QString& text) {
   if (text.isEmpty()) return;
   xml.writeStartElement(QString::fromLatin1(name));
@@ -43,7 +43,7 @@ void writeArray(QXmlStreamWriter& xml, const char* name, const char* kind, const
   xml.writeEndElement();
 }
 
-/// The contents of the information dictionary and the standard of the file.
+/// The XMP metadata: contents of the information dictionary, and the PDF/A standard of the file.
 std::string metadata(const PdfInformation& information) {
   const QString date = information.date.toUTC().toString(QStringLiteral("yyyy-MM-dd'T'HH:mm:ss'Z'"));
   QString text;
@@ -95,7 +95,7 @@ void inform(QPDF& pdf, const PdfInformation& information) {
   pdf.getTrailer().replaceKey("/Info", pdf.makeIndirectObject(facts));
 }
 
-/// Copies the name of each font subset from its descriptor; removes Qt's list of glyphs (PDF/A-1).
+/// Copies each font subset's name from its descriptor; removes the list of glyphs that Qt adds for PDF/A-1.
 void nameSubsets(QPDF& pdf) {
   for (Handle& object : pdf.getAllObjects()) {
     if (!object.isDictionaryOfType("/Font", "/Type0")) continue;
@@ -134,7 +134,7 @@ std::string archivedPdf(std::string_view pdf, const PdfInformation& information,
   inform(document, information);
   nameSubsets(document);
   attach(document, attachments, pdfDate(information.date));
-  document.getTrailer().removeKey("/ID");  // Qt's differs each time
+  document.getTrailer().removeKey("/ID");  // Qt writes another identifier each time
   QPDFWriter writer(document);
   writer.setOutputMemory();
   writer.forcePDFVersion("1.7");

@@ -23,8 +23,8 @@ struct PdfAttachment {
 };
 
 /// Converts a PDF/A-1b written by Qt to PDF/A-3b (ISO 19005-3), which may contain files. Dates and
-/// identifiers follow from the input: equal input gives equal bytes. Throws `std::runtime_error` if `pdf` is
-/// not a PDF.
+/// identifiers follow from the input, so that equal input gives equal bytes. Throws `std::runtime_error` if
+/// `pdf` is not a PDF.
 std::string archivedPdf(std::string_view pdf, const PdfInformation& information,
                         const std::vector<PdfAttachment>& attachments);
 

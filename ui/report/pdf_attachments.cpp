@@ -43,7 +43,7 @@ bool writeAll(int pipe, const char* bytes, std::size_t size) {
   return true;
 }
 
-/// Passes the contents of a stream on, up to a limit.
+/// Writes the contents of a stream to a pipe, up to a limit.
 class Handing : public Pipeline {
  public:
   Handing(int pipe, std::size_t most) : Pipeline("attached", nullptr), m_pipe(pipe), m_left(most) {}
@@ -78,7 +78,7 @@ bool endsWith(std::string_view name, std::string_view ending) {
          lowerCase(std::string(name.substr(name.size() - ending.size()))) == lowerCase(std::string(ending));
 }
 
-/// Writes the file's contents to the pipe; for an unreadable document, the reason.
+/// Writes the attached file's contents to the pipe, or the reason if the document is unreadable.
 Outcome handFile(std::string_view pdf, std::string_view ending, int pipe, std::size_t mostBytes) {
   try {
     QPDF document;
@@ -134,7 +134,7 @@ void bound(std::optional<std::size_t> taken, std::size_t mostMemory) {
   std::set_new_handler(giveUp);
 }
 
-/// Everything the other process sends. False if nothing arrives within the time limit for reading.
+/// Reads all that the other process sends. False if reading fails or nothing arrives in time.
 bool takeAll(int pipe, std::string& bytes) {
   constexpr int longest = 120'000;  // ms
   std::array<char, std::size_t{1} << 16> chunk{};

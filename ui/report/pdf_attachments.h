@@ -24,9 +24,9 @@ struct AttachedFile {
 
 /// Limits for any document, since a few bytes may expand to very many.
 struct PdfLimits {
-  std::size_t mostBytes;  ///< size of the attached file
+  std::size_t mostBytes;  ///< bytes of the attached file
   std::size_t mostMemory = std::size_t{512}
-                           << 20;  ///< memory for the document, without its own bytes and the file
+                           << 20;  ///< bytes of memory for reading, besides the document and the file
 };
 
 /// The first file attached to `pdf` whose name has this ending, ignoring ASCII case. A separate process reads

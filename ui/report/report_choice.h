@@ -18,7 +18,7 @@ struct ReportChoice {
       {};  ///< folder with sessions of the device, whose history is included; empty: no history
   bool hasSession = true;  ///< session and results are attached to the PDF
 
-  CertificateEntries certificate = {};  ///< of a certificate only
+  CertificateEntries certificate = {};  ///< used only for a certificate
 
   bool operator==(const ReportChoice&) const = default;
 };

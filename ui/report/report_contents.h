@@ -30,7 +30,7 @@ struct ReportPartInfo {
   const char* title;  ///< title in print and in the window, in the context `ReportPart`
 };
 
-/// In the order of the report.
+/// All parts that may be left out, in the order of the report.
 const std::vector<ReportPartInfo>& allReportParts();
 
 /// The contents of a report: everything except the parts left out.

@@ -14,14 +14,14 @@ namespace {
 
 constexpr double labelWidth = 31;  // mm
 
-/// The text of the session, shortened; empty if not given.
+/// `text` of the session, shortened, with its unit; empty if `text` is empty.
 QString given(const std::string& text, const QString& unit = {}) {
   constexpr int longest = 120;
   const QString value = shortLine(QString::fromStdString(text).trimmed(), longest);
   return value.isEmpty() ? value : value + unit;
 }
 
-/// The source of a σ: stated in the session, or the default.
+/// A value, and whether the session states it; else the value is the default.
 struct Provenance {
   QString value;
   bool isStated;

@@ -20,8 +20,8 @@ double placeLabelled(ReportSheet& sheet, const std::vector<LabelledText>& texts,
 /// The height of the texts as `placeLabelled` places them, mm.
 double labelledHeight(const ReportSheet& sheet, const std::vector<LabelledText>& texts, double available);
 
-/// Laboratory, device, people and dates at the left, instrument and geometry at the right, if the session
-/// states them; for each σ whether it is stated or the default.
+/// Adds what the session states: laboratory, device, people and dates at the left, instrument and geometry at
+/// the right. Each σ is marked as stated or as the default.
 void addFacts(ReportSheet& sheet, const Evaluation& evaluation, const QDateTime& date);
 
 }  // namespace alidade::ui

@@ -7,8 +7,8 @@
 
 namespace alidade::ui {
 
-/// The picture in `path` for a report: opaque on white, at print resolution at most. Otherwise a problem with
-/// the reason.
+/// The picture in `path` for a report, on a white background and at most at print resolution; or the reason
+/// why it cannot be used.
 Result<QImage> readLogo(const QString& path);
 
 }  // namespace alidade::ui

@@ -13,7 +13,7 @@ namespace alidade::ui {
 class ReportPages {
  public:
   using Drawing = std::function<void(QPainter&)>;
-  /// A drawing with its downward shift from where it was drawn.
+  /// A drawing, and the distance by which it is moved down from where it was drawn.
   struct Placed {
     Drawing drawing;
     double lower = 0;
@@ -28,7 +28,7 @@ class ReportPages {
     Section,  ///< a heading
     Text,     ///< anything else
   };
-  /// A number of drawings on the last page, to mark where a head begins.
+  /// Marks where a head begins: the number of drawings before it on the last page, and its upper end `y`.
   struct Mark {
     std::size_t drawings = 0;
     double y = 0;
@@ -41,18 +41,18 @@ class ReportPages {
   /// The lower end of the drawings on the last page, after `balance`.
   double lastEnd() const { return m_pages.back().end; }
 
-  /// Adds a page, after the drawings of the previous one down to `end`.
+  /// Adds a page. The drawings of the previous page end at `end`.
   void add(double end);
   void draw(Drawing drawing) { m_pages.back().drawings.push_back({std::move(drawing)}); }
   /// Allows a page break at `y` of the last page, with `head` if inside a table.
   void mayBreak(double y, Before before, SharedHead head = {});
   Mark mark(double y) const { return {m_pages.back().drawings.size(), y}; }
-  /// The drawings of the last page since `mark`, down to `y`.
+  /// The head made of the last page's drawings since `mark`; `y`: lower end of the head.
   SharedHead headSince(const Mark& mark, double y) const;
   /// Starts the last page with the head of a continued table.
   void beginsWith(SharedHead head) { m_pages.back().carried = std::move(head); }
-  /// Called after all drawing, with the last page drawn down to `y`. If `y` < `least`, moves preceding
-  /// drawings, from an allowed break on, to the last page too, as far as `height` allows.
+  /// Called after all drawing, with the last page drawn down to `y`. If `y` < `least`, moves the drawings
+  /// after an allowed break of the previous page to the last page, if they fit into `height`.
   void balance(double y, double least, double height);
 
  private:

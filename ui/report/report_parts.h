@@ -11,16 +11,16 @@ namespace alidade::ui {
 
 class Plot;
 
-// The parts of a report, each in a file of its own.
+// Each function adds one part of a report to the sheet; an empty part adds nothing.
 
-/// The headline in a frame: the result in large type, its place on the scale of the tolerance, and what to
-/// read with it; then, in small type, the reason of the verdict and Δd, fit only.
+/// The headline in a frame: the result in large type, its place on the scale of the tolerance, notes, and the
+/// number of findings; then, in small type, the reason of the verdict and Δd, fit only.
 void addVerdict(ReportSheet& sheet, const Gap& gap);
 
 /// Every unusable entry, with a red bar at its left; empty if there are none.
 void addProblems(ReportSheet& sheet, const Evaluation& evaluation);
 
-/// Both arcs with standard uncertainties, the intersection, and the reference, if given.
+/// The arcs with standard uncertainties, the estimated effects, and the instrument errors from both faces.
 void addResult(ReportSheet& sheet, const Gap& gap);
 
 /// The budget of Δd, measured, then of Δd, fit only; empty without an intersection.
@@ -43,8 +43,8 @@ void addUndetectable(ReportSheet& sheet, const Gap& gap);
 /// of it; the instrument record by name. Empty without known sizes.
 void addKnown(ReportSheet& sheet, const Gap& gap);
 
-/// The forms of effects outside the catalogue: each in a sentence, with where the model holds and its curve.
-/// Empty if there is none.
+/// The forms of effects outside the catalogue. Each has a sentence, the range where the model holds, and its
+/// curve. Empty if there are no such forms.
 void addForms(ReportSheet& sheet, const Gap& gap);
 
 /// A plot as vectors over the whole width, `height` mm high.

@@ -90,7 +90,7 @@ void addPlot(ReportSheet& sheet, const std::shared_ptr<Plot>& plot, double heigh
 
 namespace {
 
-/// The height that a caption leaves for its plot on this page, or on the next if there is too little.
+/// The height that a caption leaves for its plot on this page; starts a new page if too little is left.
 double roomAbove(ReportSheet& sheet, const QString& caption) {
   constexpr double least = 50, between = 2;  // mm
   const auto lines = static_cast<double>(sheet.lines(caption, type::small, ReportSheet::width).size());
@@ -103,7 +103,7 @@ double roomAbove(ReportSheet& sheet, const QString& caption) {
 
 void addPlots(ReportSheet& sheet, const Gap& gap, bool hasArcs, bool hasResiduals) {
   if (!hasArcs && !hasResiduals) return;
-  const double lacking = 252 - sheet.height();  // difference from A4
+  const double lacking = 252 - sheet.height();  // mm less than on A4
   const double arcsHeight = 126 - 0.6 * lacking, residualsHeight = 86 - 0.4 * lacking;
   constexpr double aroundPlot = 25;  // heading and caption
   if (hasArcs && hasResiduals)

@@ -194,7 +194,7 @@ class PositionTable {
     } else {
       for (int i = 0; i < 5; ++i) cells.emplace_back(notStated(), style);
     }
-    cells.emplace_back();  // room next to the numbers
+    cells.emplace_back();  // empty column before the remark
     cells.emplace_back(remark(reading, unusable), style);
     m_table.row(cells, remarks(reading));
   }

@@ -56,7 +56,7 @@ class VerdictFrame {
                          }
                        }});
   }
-  /// On one line, the second at the right, if both fit there.
+  /// Adds both texts on one line, the second at the right, or one below the other if they do not fit.
   void addOnOneLine(const QString& first, const QString& second, const TextStyle& style) {
     constexpr double apart = 6;
     if (first.isEmpty() ||

@@ -28,8 +28,8 @@ struct ReportFrame {
 
 class ReportSheet;
 
-/// Lays out a document and paints it on the device, with this head and foot on every page; false if painting
-/// failed or was stopped.
+/// Lays out a document and paints it on the device, with this head and foot on every page. Returns false if
+/// painting failed or was stopped.
 bool paintSheets(QPagedPaintDevice& device, const ReportFrame& frame, const QMarginsF& margins,
                  const std::function<void(ReportSheet&)>& layOut);
 
@@ -66,7 +66,7 @@ class ReportSheet {
   void beginsWith(ReportPages::SharedHead head) { m_pages.beginsWith(std::move(head)); }
   /// Starts a new page if less than `needed` mm are left on this one.
   void keepTogether(double needed);
-  /// Call before drawing beside a paragraph: starts a new page if the paragraph of this text would.
+  /// Starts a new page if this paragraph would. Call it before drawing at the left of the paragraph.
   void keepStart(const QString& text, const TextStyle& style, double indent = 0);
   void skip(double distance) { m_y += distance; }
 
@@ -99,10 +99,10 @@ class ReportSheet {
   void balance() { m_pages.balance(m_y, m_height / 5, m_height); }
   /// The lower end of the last page, after `balance`.
   double lastEnd() const { return m_pages.lastEnd(); }
-  /// Paints all pages. False: it was stopped.
+  /// Paints all pages. Returns false if it was stopped.
   bool paint(QPainter& painter);
 
-  /// `watch` is called often with the share of the work done; returning false stops it.
+  /// `watch` is called often with the share of the work done; returning false stops the work.
   void setWatch(std::function<bool(double done)> watch) { m_watch = std::move(watch); }
   /// Called during long layout with the share laid out. False: stop laying out.
   bool goesOn(double laidOut) const { return !m_watch || m_watch(laidOut / 2); }

@@ -17,7 +17,7 @@ bool isLeft(Role role) {
   return role != Role::Figure;
 }
 
-/// The indent, mm, of a text at the left, which separates it from a figure at the right of the column before.
+/// The indent in mm of left-aligned text, which keeps it apart from a right-aligned figure before it.
 double indentOf(Role role) {
   return isLeft(role) && role != Role::Name ? 2.5 : 0;
 }
@@ -27,7 +27,7 @@ QString cellText(const Statement::Row& row, std::size_t column) {
   return column == 0 && row.isPart ? QStringLiteral("    ") + text : text;
 }
 
-/// The width, mm, of the cells of a column and of its title, or of the title's longest word.
+/// The width in mm that a column needs for its cells and its title, or for the title's longest word.
 double neededWidth(const ReportSheet& sheet, const Statement& statement, std::size_t column,
                    bool isTitleWhole) {
   constexpr double gap = 2;
@@ -53,9 +53,9 @@ std::vector<double> neededWidths(const ReportSheet& sheet, const Statement& stat
   return widths;
 }
 
-/// Figures get their needed width. Names get a third of the page: in a table of many columns or with a bar at
-/// most what they need, without remarks and bars more if the first name needs it. Remarks or bars get the
-/// rest; texts nothing: they are below the rows. The widest names and words are cut until all fit.
+/// Figures and words get the width they need. Names get 62 mm, or less if they need less in a table with a
+/// bar or many columns. A remark or bar gets the rest; without one, the first name may get more. Texts get no
+/// width, since they are below the rows. The widest names and words are cut until all fit.
 std::vector<double> widthsOf(const ReportSheet& sheet, const Statement& statement) {
   constexpr double mostName = 62, leastFigure = 20, fewColumns = 6, mostRemark = 40, leastText = 12;
   const bool hasBar =
@@ -98,7 +98,7 @@ std::vector<ReportColumn> columnsOf(const ReportSheet& sheet, const Statement& s
     columns.push_back({qText(statement.columns[i].title), widths[i],
                        isLeft(role) ? Qt::AlignLeft : Qt::AlignRight, indentOf(role)});
   }
-  // The texts below the rows have the whole width.
+  // An empty last column fills the width, so that texts below the rows can use it.
   double rest = ReportSheet::width;
   for (const ReportColumn& column : columns) rest -= column.width;
   if (rest > 0) columns.push_back({QString(), rest});

@@ -6,7 +6,7 @@
 namespace alidade::ui {
 
 /// A section: the title, the table over the whole width with totals in bold, sentences and note. Draws
-/// nothing without rows and sentences.
+/// nothing if there are neither rows nor sentences.
 void addStatement(ReportSheet& sheet, const Statement& statement);
 
 }  // namespace alidade::ui

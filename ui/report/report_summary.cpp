@@ -19,7 +19,7 @@
 namespace alidade::ui {
 namespace {
 
-/// "No. 2026-117"; empty if there is none.
+/// The number of the report: "No. 2026-117"; empty if there is none.
 QString reportNumber(const Session& session) {
   constexpr int longest = 40;
   const QString number = shortLine(qText(session.report.number).trimmed(), longest);
@@ -40,7 +40,7 @@ double addLogo(ReportSheet& sheet, const QImage& logo) {
   return size.height();
 }
 
-/// The subtitle is at the right; below the title if there is a logo or both are too long.
+/// The subtitle is at the right of the title; below it if there is a logo or the line is too short for both.
 void addTitle(ReportSheet& sheet, const Session& session, const QImage& logo) {
   const double title = sheet.lineHeight(type::title), subtitle = sheet.lineHeight(type::label);
   const double logoHeight = addLogo(sheet, logo);

@@ -6,7 +6,7 @@
 
 namespace alidade::ui {
 
-/// Parts that the front page may lack room for. True: the part is on it, or is not printed.
+/// Parts for which the front page may lack room. True: the front page has the part, or no page prints it.
 struct FrontPage {
   bool hasMethod = false, isSigned = false;
 };
@@ -15,13 +15,13 @@ struct FrontPage {
 /// signatures if there is room. Empty fields are left out.
 FrontPage addSummary(ReportSheet& sheet, const Gap& gap, const ReportOptions& options);
 
-/// Adds the method if it fits the rest of a page and takes less than half of it. False: it was not added.
+/// Adds the method if less than half a page is left and the method fits there. False: it was not added.
 bool addMethodInTheRest(ReportSheet& sheet, const Evaluation& evaluation);
 
 /// The signature lines, with the names that the session states.
 void addSignatures(ReportSheet& sheet, const Session& session);
 
-/// How the numbers were computed.
+/// The section on how the numbers were computed.
 void addMethod(ReportSheet& sheet, const Evaluation& evaluation);
 
 }  // namespace alidade::ui

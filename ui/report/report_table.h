@@ -44,7 +44,7 @@ class ReportTable {
   std::vector<ReportColumn> m_columns;
   double m_width = 0;
   ReportPages::SharedHead m_head;
-  int m_rows = 0;  ///< below the head on this page
+  int m_rows = 0;  ///< number of rows below the head on this page
 };
 
 }  // namespace alidade::ui

@@ -125,7 +125,7 @@ QString exclusionsText(const Session& session) {
       .arg(QString::number(count), QString::number(rows), listText(parts));
 }
 
-/// "collimation 3.20″": the non-zero known sizes of the session.
+/// The non-zero known sizes of the session: "collimation 3.20″".
 QStringList knownSizes(const Measurement& measurement) {
   QStringList sizes;
   for (const Effect& effect : effectCatalogue())

@@ -13,7 +13,7 @@ struct Report {
   Q_DECLARE_TR_FUNCTIONS(Report)
 
  public:
-  /// "estimated along with the arcs; nothing was changed".
+  /// The clauses, joined by semicolons: "estimated along with the arcs; nothing was changed".
   static QString clauses(const QStringList& parts) {
     //: between clauses
     return parts.join(tr("; "));

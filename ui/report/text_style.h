@@ -5,7 +5,7 @@
 
 namespace alidade::ui {
 
-/// Type on paper. One family shipped with Qt's own packages, so that a report looks the same everywhere.
+/// A style of printed text. All styles use the DejaVu fonts, so that a report looks the same everywhere.
 struct TextStyle {
   double points = 8.5;
   bool bold = false;

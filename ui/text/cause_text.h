@@ -9,7 +9,7 @@
 
 namespace alidade::ui {
 
-// The words of `core/wording` and `core/statement` for causes, as texts of the window.
+// The words for causes in `core/wording` and `core/statement`, as `QString`.
 
 inline QString causeName(const std::string& id) {
   return qText(alidade::causeName(id));
@@ -17,7 +17,7 @@ inline QString causeName(const std::string& id) {
 inline QString causeTitle(const std::string& id) {
   return qText(alidade::causeTitle(id));
 }
-/// "a, b or c"; `last` separates the last two, blanks included: " or ".
+/// The names as a list: "a, b or c". `last` separates the last two, blanks included: " or ".
 inline QString causeNames(const std::vector<std::string>& ids, const QString& last) {
   return qText(alidade::causeNames(ids, last.toStdString()));
 }
@@ -26,7 +26,7 @@ inline QString gapHeadline(const Diagnosis& diagnosis) {
   return qText(headlineOf(diagnosis));
 }
 
-/// "sag −0.298 mm (u 0.009)"; just the number if its name only repeats the effect's.
+/// The number of a cause, such as "sag −0.298 mm (u 0.009)"; without its name if that repeats the effect's.
 QString parameterText(const Cause& cause, const CauseParameter& parameter);
 
 }  // namespace alidade::ui

@@ -20,9 +20,9 @@ bool isNamedBy(const std::string& effect, const std::string& parameter);
 /// The text with a capital first letter.
 QString capitalised(QString text);
 
-/// "12″", "0.05 mm", no blank before ″ and °; `unit` as `unitText` writes it.
+/// The figure with its unit: "12″", "0.05 mm". ″ and ° follow without a blank; `unit` is from `unitText`.
 QString withUnit(const QString& figure, const QString& unit);
-/// "−0.298 mm (u 0.009)": ± is reserved for U. Two digits of u.
+/// The value with two digits of u: "−0.298 mm (u 0.009)". The sign ± is reserved for U.
 QString withStandardUncertainty(double value, double u, const QString& unit);
 
 /// The displayed unit: "″" for "arcsec", "°" for "deg", empty for a bare number.

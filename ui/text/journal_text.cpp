@@ -17,7 +17,7 @@ namespace alidade::ui {
 
 namespace {
 
-/// The journal says “used” or “excluded” of the use of a row.
+/// The noun of a row's field. `excluded` is called "use", since its texts are “used” and “excluded”.
 QString rowNoun(const std::string& name) {
   const RowField* field = rowFieldNamed(name);
   return field && field->flag ? QCoreApplication::translate("ReadingColumn", infoOf(ReadingColumn::Used).noun)

@@ -9,13 +9,13 @@
 
 namespace alidade::ui {
 
-/// The place of the entry under its name at that time: "0°, row 5 (point 5), vertical reading".
+/// The place of the entry, named as when the entry was made: "0°, row 5 (point 5), vertical reading".
 QString journalPlace(const JournalEntry& entry);
 
-/// "suggestion accepted, J. Doe, 2026-03-14 15:09 UTC".
+/// Reason, operator and time of the entry: "suggestion accepted, J. Doe, 2026-03-14 15:09 UTC".
 QString changeText(const JournalEntry& entry, const Session& session);
 
-/// The newest entry about this cell as it is now; null if there is none.
+/// The newest journal entry that gave this cell its present text; null if there is none.
 const JournalEntry* lastChange(const Session& session, std::size_t position, std::size_t row,
                                const RowField& field);
 

@@ -7,7 +7,7 @@
 
 namespace alidade::ui {
 
-/// "collimation, trunnion axis tilt": entries in a row, separated as usual in the language of the thread.
+/// The entries, separated as usual in the thread's language: "collimation, trunnion axis tilt".
 inline QString listText(const QStringList& entries) {
   return entries.join(qText(Phrase::of(", ")));
 }

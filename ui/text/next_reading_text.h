@@ -12,26 +12,26 @@ struct Evaluation;
 
 namespace alidade::ui {
 
-/// Precise enough for pointing, too coarse to copy as a reading: "341°52′", "341.87°", "379.86 gon".
+/// The angle, fine enough for pointing, too coarse to copy as a reading: "341°52′", "341.87°", "379.86 gon".
 QString coarseAngleText(Angle angle, CircleUnit unit);
 
-/// "Point 7", "Point 7, round 2", "Point 7, round 2, face 2".
+/// The name of a sighting: "Point 7", "Point 7, round 2", "Point 7, round 2, face 2".
 QString sightingText(const Reading& sighting);
 
 /// The next entry to type for a user at `position`; absent if nothing is left, or if the session has more
 /// rows than anyone types.
 std::optional<EntryToCome> entryToCome(const Evaluation& evaluation, std::size_t position);
 
-/// The entry to lead a user at `position` to: see `entryToLeadTo` of the session.
+/// The entry to which the window leads a user at `position` (`alidade::entryToLeadTo`).
 std::optional<EntryToCome> entryToLeadTo(const Evaluation& evaluation, std::size_t position);
 
 /// The reading expected for `entry`; absent if none is known.
 std::optional<ExpectedReading> expectedOf(const Evaluation& evaluation, const EntryToCome& entry);
 
-/// "0°: point 7, round 2", "180°: pointing zero", "Distance".
+/// The name of the entry: "0°: point 7, round 2", "180°: pointing zero", "Distance".
 QString entryText(const Session& session, const EntryToCome& entry);
 
-/// "Next: 180°: pointing zero"; as `nextReadingText` for a row of `position`; a sentence if nothing is left.
+/// For a row of `position` as `nextReadingText`; else "Next: 180°: pointing zero", or that nothing is left.
 QString nextEntryText(const Evaluation& evaluation, std::size_t position);
 
 /// "Next: point 7, round 2, about 341°52′ and 88°17′"; without the angles if none are expected.

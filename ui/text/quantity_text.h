@@ -17,13 +17,13 @@ QString notStated();
 /// `text`, or "—" if it is empty.
 QString orNotStated(const QString& text);
 
-/// Fixed decimals (0…9): "−0.835", never "−0.000".
+/// The number with fixed decimals (0…9): "−0.835", never "−0.000".
 QString numberText(double value, int decimals);
 
 /// Like `numberText`, with an explicit plus sign: "+1.3", "−1.3", "0.0".
 QString signedNumberText(double value, int decimals);
 
-/// The shortest text with the same number to ten digits: "2405", "0.95", and 5 for 4.999 999 999 99.
+/// The shortest text of the number rounded to ten digits: "2405", "0.95", and "5" for 4.999 999 999 99.
 QString plainNumberText(double value);
 
 /// "401.9543 mm".
@@ -32,7 +32,7 @@ QString lengthText(double millimetres, int decimals = 4);
 /// "9.4″".
 QString arcsecText(double arcseconds, int decimals = 1);
 
-/// "341°52′24″", or in another unit (`formatAngle`); not wrapped. `decimals` of seconds.
+/// The angle in `unit` (`formatAngle`), not wrapped: "341°52′24″". `decimals`: those of the seconds.
 QString angleText(Angle angle, CircleUnit unit = CircleUnit::Dms, int decimals = 0);
 
 /// "1.308 ± 0.022 mm": the uncertainty with two significant digits, the value to the same decimals.

@@ -103,7 +103,7 @@ class Comparison {
 
   static QString yesNo(bool is) { return is ? Text::tr("yes") : Text::tr("no"); }
 
-  /// The text of a row that is listed whole; a blank row has one, too.
+  /// The text of a row that is listed whole; for a row without angles, "a row".
   static QString whole(const Reading& reading) {
     const QString text = qText(reading.horizontal + "  " + reading.vertical).trimmed();
     return text.isEmpty() ? Text::tr("a row") : text;

@@ -18,11 +18,11 @@ struct SessionDifference {
   static constexpr std::size_t most = 1000;
 
   std::vector<EntryDifference> entries;  ///< the first `most`
-  std::size_t count = 0;                 ///< of all differences; 0: both would give the same file
+  std::size_t count = 0;                 ///< number of all differences; 0: both sessions give the same file
 };
 
-/// Compares rows from both ends of a position; rows inserted or deleted between are listed whole. Entries
-/// that no form or table shows are listed without texts.
+/// Skips equal rows at both ends of a position, compares the rows between in pairs, and lists surplus rows
+/// whole. If only entries that no form or table shows differ, one difference without texts is listed.
 SessionDifference differenceOf(const Session& mine, const Session& theirs);
 
 /// "3 entries differ", "1 entry differs".

@@ -24,7 +24,7 @@ QString signedSeconds(Angle angle) {
   return signedNumberText(angle.arcseconds(), 1) + QChar(0x2033);
 }
 
-/// "+12.3″", "tilt about x +0.10°".
+/// The simulated size of a number: "+12.3″", "tilt about x +0.10°".
 QString sizeText(const Effect& effect, const EffectParameter& parameter, double value) {
   const int decimals = std::min(9, decimalsFor(parameter.plausible) + 1);
   const QString size = withUnit(signedNumberText(value, decimals), unitText(std::string(parameter.unit)));

@@ -10,10 +10,10 @@ namespace alidade::ui {
 /// The common name of a kind of truth: "collimation", "two effects", "nothing".
 QString trialKindName(const std::string& kind);
 
-/// The simulated errors of the session with sizes, a line for each; "No error was simulated." if none.
+/// The simulated errors, a line each ("No error was simulated." if none), then their trace and the true Δd.
 QStringList truthLines(const BlindTrial& trial);
 
-/// A sentence on why the diagnosis counts as right or wrong.
+/// Says why the diagnosis counts as right or wrong, and whether Δd covers the true Δd, if that was checked.
 QString scoreSentence(const SealedTruth& truth, const TrialScore& score);
 
 }  // namespace alidade::ui

@@ -16,19 +16,19 @@ inline QString visibleLine(const std::string& text) {
 /// The same, keeping tabs and line ends of every kind.
 QString visibleLines(const QString& text);
 
-/// One line of at most `most` characters, the rest an ellipsis.
+/// The text on one line of at most `most` characters; an ellipsis replaces the rest.
 QString shortLine(const QString& text, int most);
 inline QString shortLine(const std::string& text, int most) {
   return shortLine(QString::fromStdString(text), most);
 }
 
-/// Sentences on lines of their own, an empty line between them.
+/// The sentences, each on its own line, with an empty line between them.
 QString paragraphs(const std::vector<std::string>& sentences);
 
 /// Text for a menu, tab or button: short, with ampersands escaped, since they would underline a letter.
 QString menuText(const QString& text);
 
-/// Text for a tool tip: broken into lines, as many as fit a screen.
+/// Text for a tool tip, broken into lines; an ellipsis replaces lines that would not fit a screen.
 QString tipText(const QString& text);
 
 }  // namespace alidade::ui
