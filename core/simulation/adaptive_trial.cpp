@@ -25,7 +25,7 @@ bool isAmong(const std::vector<std::string>& ids, const std::string& id) {
   return std::ranges::find(ids, id) != ids.end();
 }
 
-/// Whether the group stands for a cause of the truth.
+/// True if the group contains a cause of the truth, or its first id is a look-alike of the cause.
 bool isThere(const std::vector<std::string>& group, const SealedTruth& truth) {
   if (classOf(truth) == TrialClass::Unknown) return isAmong(group, formId);
   return std::ranges::any_of(truth.causes, [&](const auto& cause) { return isAmong(group, cause); }) ||

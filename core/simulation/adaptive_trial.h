@@ -38,10 +38,10 @@ struct WatchedRun {
   /// Ids of the causes as in `SessionSoFar`, named at the end, whether the readings are enough or not. In a
   /// session watched to its end, named at any time.
   std::vector<std::string> named, alsoNamed;
-  /// Every true cause is named, or a look-alike of it, and nothing else. A form must be named for an
+  /// Every true cause, or a look-alike of it, is named, and nothing else. A form must be named for an
   /// uncatalogued effect. A faint effect may be missed.
   bool isRight = false;
-  bool isWrong = false;       ///< something is named that is not there
+  bool isWrong = false;       ///< a cause is named that the truth lacks
   std::size_t sightings = 0;  ///< of places and closing zeros
   double minutes = 0;
   double most = 0;               ///< the largest natural log of the evidence against no cause

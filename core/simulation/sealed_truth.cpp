@@ -59,7 +59,7 @@ bool isDiagnosable(const std::string& id) {
   return std::ranges::find(diagnosableEffects(), id) != diagnosableEffects().end();
 }
 
-/// Can a diagnosis name it, or is it uncatalogued?
+/// Is `id` an effect that a diagnosis can name, or an uncatalogued one?
 bool isCause(const std::string& id) {
   return id.starts_with("unknown") || id.starts_with(ownPrefix) || isDiagnosable(id);
 }
@@ -79,7 +79,7 @@ std::size_t lettersApart(std::string_view a, std::string_view b) {
   return row.back();
 }
 
-/// Is it a mistyped name of a diagnosable effect?
+/// Is `kind` a mistyped name of a diagnosable effect?
 bool isMistyped(const std::string& kind) {
   constexpr std::size_t longest = 64, slips = 2;
   return !isDiagnosable(kind) && kind.size() <= longest &&

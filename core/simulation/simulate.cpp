@@ -18,7 +18,7 @@ std::string rowName(const TrueGrossError& m) {
          std::to_string(m.face);
 }
 
-/// Takes the rows of a session in order.
+/// Simulates the rows of a session in order.
 class Simulator {
  public:
   enum class Noise { AsInTruth, None };

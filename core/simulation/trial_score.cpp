@@ -17,7 +17,7 @@ bool isNamed(const Diagnosis& diagnosis, const std::string& id) {
   return std::ranges::find(diagnosis.causes, id, &Cause::effect) != diagnosis.causes.end();
 }
 
-/// Is it the first cause, or among its look-alikes?
+/// Is `id` the first cause, or among the look-alikes of the first cause?
 bool isFirst(const Diagnosis& diagnosis, const std::string& id) {
   if (diagnosis.causes.empty()) return false;
   const Cause& first = diagnosis.causes.front();

@@ -28,7 +28,7 @@ bool canBeWithheld(const SealedTruth& truth) {
   return truth.visible && *truth.visible >= clearVisibility && (effectById(truth.kind) || truth.statesOwn);
 }
 
-/// Whether the causes include effects of the user's own, and the session states all of these.
+/// True if the causes include effects of the user's own, and the session states all of these.
 bool statesOwn(const Session& session, const SealedTruth& truth) {
   const auto isOwn = [](const std::string& id) { return id.starts_with(ownPrefix); };
   const auto isStated = [&](const std::string& id) {

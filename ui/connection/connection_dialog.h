@@ -12,8 +12,8 @@ class Dialogs;
 class InstrumentLink;
 class WireLog;
 
-/// Connects an instrument and shows the communication. Stays open next to the window, or is closed: the
-/// connection remains.
+/// The dialog that connects an instrument and shows the communication. May stay open next to the window;
+/// closing the dialog keeps the connection.
 class ConnectionDialog : public QDialog {
   Q_OBJECT
 
@@ -23,9 +23,9 @@ class ConnectionDialog : public QDialog {
   ConnectionForm& form() { return *m_form; }
   WireLog& log() { return *m_log; }
   bool saveLog();
-  /// Shows a sentence about the connection; the log keeps it.
+  /// Shows a sentence about the connection, and adds it to the log.
   void showRemark(const QString& sentence);
-  /// Clears the sentence; the log keeps it.
+  /// Clears the sentence, but not in the log.
   void clearRemark();
 
  signals:

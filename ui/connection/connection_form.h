@@ -8,7 +8,7 @@ class QComboBox;
 
 namespace alidade::ui {
 
-/// The settings of a connection, initially the last ones.
+/// The form for the settings of a connection. At first it shows the settings used last.
 class ConnectionForm : public QWidget {
   Q_OBJECT
 
@@ -19,11 +19,11 @@ class ConnectionForm : public QWidget {
   void setSettings(const ConnectionSettings& settings);
   /// Lists the ports available now.
   void refreshPorts();
-  /// During a connection only the target of readings can be changed.
+  /// While `isOpen`, the user can change only which row receives the readings.
   void setOpen(bool isOpen);
 
  signals:
-  void targetChanged();  ///< the target of readings
+  void targetChanged();  ///< the user chose which row receives the readings
 
  private:
   void showSettings(const ConnectionSettings& settings);

@@ -7,7 +7,7 @@
 
 namespace alidade::ui {
 
-/// Settings of a connection to an instrument. Remembered; speed and similar settings per protocol.
+/// Settings of a connection to an instrument, remembered; baud rate, bits and parity for each protocol.
 struct ConnectionSettings {
   enum class Protocol { GeoCom, Gsi };
   enum class Parity { None, Even, Odd };
@@ -18,7 +18,7 @@ struct ConnectionSettings {
   int dataBits = 8;
   Parity parity = Parity::None;
   int stopBits = 1;
-  bool intoSelected = false;  ///< readings go into the selected row, else into the next expected entry
+  bool intoSelected = false;  ///< true: readings go into the selected row; false: into the next entry
 
   bool operator==(const ConnectionSettings&) const = default;
 };
@@ -26,9 +26,9 @@ struct ConnectionSettings {
 /// The factory settings of instruments with this protocol.
 ConnectionSettings usualConnection(ConnectionSettings::Protocol protocol);
 
-/// The last settings; invalid ones have their defaults.
+/// The settings used last; an invalid setting is replaced by its default.
 ConnectionSettings rememberedConnection();
-/// The last settings for this protocol.
+/// The settings used last with this protocol.
 ConnectionSettings rememberedConnection(ConnectionSettings::Protocol protocol);
 void rememberConnection(const ConnectionSettings& settings);
 

@@ -47,7 +47,7 @@ InstrumentDesk::InstrumentDesk(SessionDocument& document, Dialogs& dialogs, cons
   connect(&m_link, &InstrumentLink::identified, this, &InstrumentDesk::noteIdentity);
   connect(&m_link, &InstrumentLink::stateChanged, this, &InstrumentDesk::showState);
   connect(&document, &SessionDocument::changed, this, [this] { m_link.setCircles(circles()); });
-  // The connection is queued, so that all views have the evaluation first; later changes are evaluated again.
+  // Queued, so that all views receive the evaluation first. During a new fit the evaluation is outdated.
   connect(
       &job, &FitJob::evaluated, this,
       [this, &job](const SharedEvaluation& evaluation) {
@@ -75,7 +75,7 @@ ReadingFlow::Front InstrumentDesk::front() const {
   return front;
 }
 
-/// Selects the next row if readings go into the selected row.
+/// Reports where a reading was stored, or the next row if readings go into the selected row.
 void InstrumentDesk::goOn(const Place& place) {
   const bool isSelected = m_dialog && m_dialog->form().settings().intoSelected;
   Place shown = place;
@@ -133,7 +133,7 @@ void InstrumentDesk::report(const QString& sentence) {
   emit remark(sentence);
 }
 
-/// Clears the failure, in the status bar too.
+/// Clears the failure shown in the dialog and in the status bar.
 void InstrumentDesk::forgetRemark() {
   if (!std::exchange(m_hasRemark, false)) return;
   dialog().clearRemark();

@@ -18,8 +18,8 @@ class PositionTabs;
 class ReadingQuestionBar;
 class SessionDocument;
 
-/// The instrument of the window: its connection, its dialog, and the transfer of its readings into the
-/// session.
+/// Owns the connection to the instrument and its dialog, and transfers the readings of the instrument into
+/// the session.
 class InstrumentDesk : public QObject {
   Q_OBJECT
 

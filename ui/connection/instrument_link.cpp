@@ -10,7 +10,7 @@ namespace alidade::ui {
 namespace {
 
 constexpr qint64 portBuffer = 1 << 16;      // bytes waiting to be read
-constexpr qint64 mostUnsent = 1 << 12;      // bytes, a hundred requests: the instrument accepts none
+constexpr qint64 mostUnsent = 1 << 12;      // bytes, about a hundred requests that were not sent
 constexpr Milliseconds anyWait = 3600'000;  // longer than any protocol waits
 
 QSerialPort::Parity parityOf(ConnectionSettings::Parity parity) {
@@ -63,7 +63,7 @@ bool InstrumentLink::open(const ConnectionSettings& settings, const TalkCircles&
   return true;
 }
 
-/// Reports an incomplete message first.
+/// Closes the connection after reporting an incomplete message.
 void InstrumentLink::close() {
   if (!m_talk) return;
   m_wake.stop();
@@ -91,7 +91,7 @@ void InstrumentLink::receive() {
     follow(m_talk->receive({bytes.constData(), static_cast<std::size_t>(bytes.size())}, m_clock.elapsed()));
 }
 
-/// Usually caused by unplugging.
+/// Reports a port error, usually caused by unplugging, and closes the connection.
 void InstrumentLink::fail(QSerialPort::SerialPortError error) {
   if (!m_talk || error == QSerialPort::NoError || error == QSerialPort::TimeoutError) return;
   emit remark(tr("The connection to the instrument broke: %1. Was the cable or the instrument unplugged? The "
@@ -106,7 +106,7 @@ void InstrumentLink::follow(const TalkStep& step) {
   if (step.isIdentified || !step.readings.empty()) emit succeeded();
   for (const std::string& sentence : step.remarks) emit remark(visibleLine(sentence));
   for (const InstrumentReading& reading : step.readings) emit readingTaken(reading);
-  if (!m_talk) return;  // a slot or the port has closed it
+  if (!m_talk) return;  // a slot or a port error has closed the connection
   if (step.isIdentified) emit identified();
   if (const auto at = m_talk->wakeAt())
     m_wake.start(static_cast<int>(std::clamp<Milliseconds>(*at - m_clock.elapsed(), 0, anyWait)));

@@ -19,7 +19,7 @@ class InstrumentLink : public QObject {
   explicit InstrumentLink(QObject* parent = nullptr);
   ~InstrumentLink() override;
 
-  /// False: the port could not be opened, and `remark` gives the reason. Closes an open connection first.
+  /// Closes an open connection, then opens the port. Returns false if that failed; `remark` gives the reason.
   bool open(const ConnectionSettings& settings, const TalkCircles& circles);
   void close();
   /// Requests a reading of the present pointing.
@@ -28,7 +28,7 @@ class InstrumentLink : public QObject {
 
   bool isOpen() const { return m_talk != nullptr; }
   bool isTaking() const { return m_talk && m_talk->isTaking(); }
-  /// The identity reported by the instrument; empty before.
+  /// The identity reported by the instrument; empty before the report.
   InstrumentIdentity identity() const { return m_talk ? m_talk->identity() : InstrumentIdentity(); }
   const ConnectionSettings& settings() const { return m_settings; }
 

@@ -24,11 +24,11 @@ struct ReadingDoubts {
   Q_DECLARE_TR_FUNCTIONS(ReadingDoubts)
 };
 
-/// Pointing zeros of one set-up have one direction; any two targets at a bench differ by more.
+/// Sightings of the pointing zero from one set-up differ by less; two targets at a bench differ by more.
 constexpr Angle zeroTolerance = Angle::fromDegrees(1);
-/// Sightings this close are identical: no circle has such a resolution.
+/// Angles that differ by less are identical, since no circle has a finer resolution.
 constexpr double sameWithin = 1e-4;  // arcsec
-/// Beyond this number of rows only texts are compared.
+/// A position with more rows is compared by the typed texts only.
 constexpr std::size_t mostCompared = 10'000;
 constexpr int longestSerial = 40;
 
@@ -91,7 +91,7 @@ class Doubts {
 
   const Position& position() const { return m_session.positions[m_landing.position()]; }
 
-  /// The position of the readings before this one, if different.
+  /// The position of the previous readings; absent if this reading belongs to the same position.
   std::optional<std::size_t> positionBefore() const {
     if (m_before.position())
       return m_before.position() != m_landing.position() ? m_before.position() : std::nullopt;
@@ -163,7 +163,7 @@ class Doubts {
     return a && b && isNear(*a, m_reading.horizontalAngle) && isNear(*b, m_reading.verticalAngle);
   }
 
-  /// The place that already has the same angles; empty if none.
+  /// The name of the sighting in position `at` that already has the same angles; empty if none.
   QString placeOfSame(std::size_t at) const {
     const Position& one = m_session.positions[at];
     const bool mayParse = one.readings.size() <= mostCompared;
@@ -267,7 +267,7 @@ class Doubts {
     m_landing.row ? doubtZeroInRow() : doubtZero();
   }
 
-  /// Without an expected reading, still recognises a sighting of the pointing zero.
+  /// Doubts a reading in a row without an expected reading if the instrument points at the pointing zero.
   void doubtZeroInRow() {
     if (looksAt(m_reading, m_session, m_landing.position(), zeroTolerance))
       say(ReadingDoubts::tr("The instrument points at the pointing zero: is it the right target?"));

@@ -11,17 +11,17 @@
 
 namespace alidade::ui {
 
-/// Earlier readings over the connection, as far as needed to compare a new one.
+/// The data of earlier readings over the connection with which a new reading is compared.
 class TakenBefore {
  public:
-  /// The last readings, more than an instrument buffers.
+  /// The number of readings kept; an instrument buffers fewer.
   static constexpr std::size_t mostKept = 16;
 
   void add(const InstrumentReading& reading, std::size_t position);
 
   std::optional<std::size_t> position() const { return m_position; }  ///< position of the last reading
-  const std::string& serial() const { return m_serial; }  ///< serial number of the last reading; empty: none
-  const std::string& corrections() const { return m_corrections; }  ///< of the last reading; empty: none
+  const std::string& serial() const { return m_serial; }  ///< last serial number stated; empty: none
+  const std::string& corrections() const { return m_corrections; }  ///< last corrections stated; empty: none
   std::optional<bool> isCompensated() const { return m_isCompensated; }
   const std::deque<InstrumentReading>& readings() const { return m_readings; }
 
@@ -32,13 +32,13 @@ class TakenBefore {
   std::deque<InstrumentReading> m_readings;
 };
 
-/// Objections to a reading, after a sentence with its target and its values: axis not turned, another
-/// instrument, not guaranteed by the instrument, other corrections, repeated reading, other face, existing
-/// entry, another target. Empty: none.
+/// Objections to a reading, after a sentence that names its entry and its values; empty if there are none.
+/// Objections are: axis not turned, another instrument, no guarantee by the instrument, other corrections,
+/// repeated reading, other face, existing entry, another target.
 QString readingQuestion(const Evaluation& evaluation, const Landing& landing,
                         const InstrumentReading& reading, const TakenBefore& before);
 
-/// The question about a reading without a target.
+/// The question about a reading for which no entry is expected.
 QString placelessQuestion(const Evaluation& evaluation, const InstrumentReading& reading);
 
 }  // namespace alidade::ui

@@ -26,7 +26,7 @@ ReadingFlow::ReadingFlow(SessionDocument& document, QObject* parent)
         change.kind == SessionChange::Kind::Everything || change.kind == SessionChange::Kind::Positions;
     if (isOfOthers) m_before = {};
   });
-  // Queued, since a committed entry has not changed the session yet.
+  // Queued, since a committed entry ends before it changes the session.
   connect(
       &document.halfTyped(), &HalfTyped::changed, this,
       [this] {
@@ -49,7 +49,7 @@ bool ReadingFlow::isHeld() const {
   return !m_waiting.empty() && m_document.halfTyped().isOpenInPosition();
 }
 
-/// Asks the current question anew, since the entry in question may have been typed meanwhile.
+/// Drops the current question and compares the reading again, since the entry may have been typed meanwhile.
 void ReadingFlow::setEvaluation(const SharedEvaluation& evaluation) {
   m_evaluation = evaluation;
   ask({});

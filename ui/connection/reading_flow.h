@@ -23,7 +23,7 @@ class ReadingFlow : public QObject {
  public:
   explicit ReadingFlow(SessionDocument& document, QObject* parent = nullptr);
 
-  /// The target of the next reading: the position in front, and the selected row if so chosen.
+  /// Where the next reading goes: the position in front, and the selected row if the user chose that setting.
   struct Front {
     std::size_t position = 0;
     std::optional<std::size_t> selected = {};
@@ -35,7 +35,7 @@ class ReadingFlow : public QObject {
   /// The evaluation of the current session; the next change of the session drops it.
   void setEvaluation(const SharedEvaluation& evaluation);
 
-  /// Answers the current question.
+  /// These two answer the current question: they store the reading or discard it.
   void takeAnyway();
   void discard();
 

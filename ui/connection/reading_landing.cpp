@@ -42,7 +42,7 @@ bool isLed(const Evaluation& evaluation) {
   return evaluation.guide && evaluation.guide->problem.empty();
 }
 
-/// The next sighting of the protocol is in a position that the session lacks.
+/// True if the session lacks the position of the protocol's next sighting.
 bool isBeyondSession(const Evaluation& evaluation) {
   if (!isLed(evaluation)) return false;
   const ProtocolProgress& progress = evaluation.guide->progress;
@@ -78,7 +78,7 @@ Landing landingOf(const Session& session, const EntryToCome& entry, int face) {
   return {.entry = entry, .row = rowInItsFace(session, entry, face)};
 }
 
-/// The zero sighting, if the reading points at the position's zero and that sighting is still missing.
+/// A further sighting of the pointing zero; absent if the reading points elsewhere or the sighting exists.
 std::optional<Landing> furtherZero(const Session& session, std::size_t position,
                                    const InstrumentReading& reading) {
   if (!looksAt(reading, session, position, zeroWithin)) return std::nullopt;

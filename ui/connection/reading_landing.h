@@ -14,21 +14,21 @@ namespace alidade::ui {
 
 class SessionDocument;
 
-/// The target of a reading of an instrument, and the expected entry there.
+/// The row or pointing zero that receives a reading of an instrument.
 struct Landing {
-  EntryToCome entry = {};               ///< the next entry of the protocol, or of the rows
-  std::optional<std::size_t> row = {};  ///< the one after the last is new; absent: a pointing zero
+  EntryToCome entry = {};               ///< the entry expected next by the protocol, or by the rows
+  std::optional<std::size_t> row = {};  ///< its index, past the last for a new row; absent: a pointing zero
   std::string zero = {};                ///< "pointing_zero", "pointing_zero.face_2", …; empty: a row
   bool isProposed = false;              ///< not expected, but the reading points at this zero
-  bool isChosen = false;                ///< by selecting the row, regardless of the next entry
+  bool isChosen = false;                ///< the user selected the row, whatever entry is next
 
   std::size_t position() const { return entry.position; }
   Place place() const;  ///< place of its horizontal reading
 };
 
-/// The target of the next expected entry (`entryToCome`) with position `here` in front: a zero or an open row
-/// in the face of the reading. Without a protocol, a reading pointing at the zero is proposed as a further
-/// sighting of it. Absent: no entry is expected.
+/// The expected zero or open row (`entryToCome`) while position `here` is in front; a row in the face of the
+/// reading is preferred. Without a protocol, a reading that points at the zero is proposed as a further
+/// sighting of the zero. Absent: no entry is expected.
 std::optional<Landing> nextLanding(const Evaluation& evaluation, std::size_t here,
                                    const InstrumentReading& reading);
 
@@ -38,7 +38,7 @@ Landing landingInRow(const Session& session, std::size_t position, std::size_t r
 /// Stores the reading with its additional data, as one undo step.
 void land(SessionDocument& document, const Landing& landing, const InstrumentReading& reading);
 
-/// The sighting in a pointing zero: "pointing_zero", "pointing_zero.face_2", …
+/// The sighting of the pointing zero in field `zero`: "pointing_zero", "pointing_zero.face_2", …
 ZeroSighting zeroAt(const Session& session, std::size_t position, const std::string& zero);
 
 /// Converts both circles to face 1, in the session's kind of vertical circle.

@@ -9,7 +9,7 @@ namespace alidade::ui {
 
 class ReadingFlow;
 
-/// Shows an unexpected reading of the instrument, and the possible actions. Hidden otherwise. Non-modal.
+/// Asks whether to take an unexpected reading of the instrument. Non-modal; hidden without a question.
 class ReadingQuestionBar : public QFrame {
   Q_OBJECT
 

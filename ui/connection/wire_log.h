@@ -9,14 +9,14 @@ class WireLog : public QPlainTextEdit {
   Q_OBJECT
 
  public:
-  /// Older lines are dropped: two lines a second for a working day.
+  /// The number of lines kept: two lines a second for a working day.
   static constexpr int mostLines = 50'000;
 
   explicit WireLog(QWidget* parent = nullptr);
 
   void addLine(bool isSent, const QString& shown);
   void addRemark(const QString& sentence);
-  /// The log as a file.
+  /// The log as the bytes of a text file.
   std::string bytes() const;
 
  private:

@@ -19,7 +19,7 @@ namespace alidade::ui {
 
 namespace {
 
-/// Shares of the window's height, for each line.
+/// Letter height of each line as a share of the window's height.
 constexpr double placeShare = 0.10, anglesShare = 0.17, resultShare = 0.11, verdictShare = 0.08,
                  lastShare = 0.055, smallShare = 0.045;
 
@@ -35,7 +35,7 @@ void setColour(QLabel& label, const QColor& colour) {
   label.setPalette(coloured);
 }
 
-/// Reduces the height if the text would be wider than `width`.
+/// Sets the letter height, reduced if the text would be wider than `width` pixels.
 void setHeightWithin(QLabel& label, double pixels, int width) {
   setHeight(label, pixels);
   const int wide = label.sizeHint().width();

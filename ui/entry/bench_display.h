@@ -11,9 +11,9 @@ namespace alidade::ui {
 
 class ToleranceBar;
 
-/// A display for the tripod, in letters as large as the window allows: the next place with its expected
-/// angles, the last entry with any doubt, and the headline, with its further lines in small type below. Never
-/// takes the keyboard: typing goes to the main window.
+/// A display to be read from the tripod, in letters as large as the window allows. It shows the next entry
+/// with its expected angles, the last entry with any doubt, and the headline with further lines in small
+/// type. What is typed goes to the main window.
 class BenchDisplay : public QWidget {
   Q_OBJECT
 
@@ -24,7 +24,7 @@ class BenchDisplay : public QWidget {
   void setHeadline(const Headline& headline);
   /// The position being read.
   void setPosition(std::size_t position);
-  /// The doubt about the last reading; empty: it is as expected.
+  /// The doubt about the last reading; empty if the reading is as expected.
   void setDoubt(const QString& doubt);
 
  protected:

@@ -73,8 +73,8 @@ void EntryGuide::goToMissingOf(std::size_t position, const std::string& zero) {
       return emit revealWanted(place);
 }
 
-/// Moves the focus onward when a position has everything the protocol requires. Never moves it from readings
-/// back to a missing zero before them.
+/// Moves the focus if the protocol's next sighting is a pointing zero or in another position. Does not move
+/// from readings back to a missing zero before them while the position in front lacks readings.
 void EntryGuide::goOn() {
   const Session& session = m_document.session();
   const auto progress = progressIn(session, m_document.chosenSighting());
@@ -89,7 +89,7 @@ void EntryGuide::goOn() {
     if (const auto entry = entryToCome(session, here, &*progress)) goTo(*entry);
 }
 
-/// Moves to the pointing zero of the position first, if that is missing.
+/// Moves to the missing pointing zero of the position, or else to its next reading.
 void EntryGuide::goToNextEntryOf(std::size_t position) {
   m_positions.showPosition(position);
   for (const char* field : {"pointing_zero.horizontal", "pointing_zero.vertical"})

@@ -25,8 +25,8 @@ class EntryGuide : public QObject {
  public:
   EntryGuide(SessionDocument& document, PositionTabs& positions, QWidget& window);
 
-  /// Leads to the next entry of the readings at `axisDeg` (0 or 180); if already there, to those of the next
-  /// position at that axis.
+  /// Leads to the next entry of a position at axis angle `axisDeg` (0 or 180). If such a position has the
+  /// focus, leads to the next position at that axis angle.
   void goToAxis(int axisDeg);
   /// Leads to the next missing entry: a missing length, then `entryToCome`.
   void goToNextEntry();

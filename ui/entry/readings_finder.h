@@ -19,7 +19,7 @@ class ReadingsFinder : public QObject {
   ReadingsFinder(SessionDocument& document, PositionTabs& positions, FindBar& bar);
 
   void find();                   ///< asks for a text
-  void findAgain(bool forward);  ///< the last text; asks if there is none
+  void findAgain(bool forward);  ///< finds the last text again; asks if there is none
 
  signals:
   void commitWanted();  ///< unfinished entries must be committed, to be searched too
@@ -31,7 +31,7 @@ class ReadingsFinder : public QObject {
   SessionDocument& m_document;
   PositionTabs& m_positions;
   FindBar& m_bar;
-  QString m_text;  ///< the last one searched
+  QString m_text;  ///< the text searched last
 };
 
 }  // namespace alidade::ui

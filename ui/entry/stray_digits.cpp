@@ -40,12 +40,12 @@ StrayDigits::StrayDigits(QWidget& window) : QObject(&window), m_window(window) {
 bool StrayDigits::eventFilter(QObject* watched, QEvent* event) {
   if (m_isForwarding || event->type() != QEvent::KeyPress) return false;
   auto* key = static_cast<QKeyEvent*>(event);
-  // An event that its receiver ignores is sent again to its parents.
+  // Qt sends an ignored event again to each parent of its receiver; those repeats are skipped.
   const QWidget* focus = QApplication::focusWidget();
   const auto* widget = qobject_cast<QWidget*>(watched);
   if (!widget || widget != (focus ? focus : &m_window) || widget->window() != &m_window) return false;
   if (!beginsANumber(*key) || takesText(widget)) return false;
-  const QScopedValueRollback forwarding(m_isForwarding, true);  // the receiver may ignore it too
+  const QScopedValueRollback forwarding(m_isForwarding, true);  // else an ignored digit would come back
   emit typed(key);
   return true;
 }

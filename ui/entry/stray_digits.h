@@ -7,8 +7,8 @@ class QWidget;
 
 namespace alidade::ui {
 
-/// Reports digits typed where nothing takes them (a button, a picture or a table of figures), so that they
-/// can be forwarded.
+/// Reports a digit typed while the focused widget accepts no text (a button, a picture or a table of
+/// figures), so that the digit can be forwarded.
 class StrayDigits : public QObject {
   Q_OBJECT
 
@@ -23,7 +23,7 @@ class StrayDigits : public QObject {
 
  private:
   QWidget& m_window;
-  bool m_isForwarding = false;  ///< a digit is being forwarded
+  bool m_isForwarding = false;
 };
 
 }  // namespace alidade::ui

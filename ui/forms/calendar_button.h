@@ -4,8 +4,8 @@ class QLineEdit;
 
 namespace alidade::ui {
 
-/// Adds a button to a line that enters a day: it opens a calendar at the day typed, or else at today. The day
-/// chosen is entered as if it were typed and ended with Return.
+/// Adds a calendar button to a line for a date. The calendar opens at the date typed, or else at today. The
+/// chosen date is entered as if typed and ended with Return.
 void addCalendarButton(QLineEdit& line);
 
 }  // namespace alidade::ui

@@ -62,7 +62,7 @@ void FieldEdit::refresh() {
   update();
 }
 
-/// The purpose of the entry; above it the whole text if the field shortens it or it has hidden parts.
+/// The hint, below the whole text if that may be too long for the field or has invisible characters.
 QString FieldEdit::tip(const QString& typed) const {
   constexpr int usuallyFits = 40;
   if (m_shows == Shows::Angle || (typed.size() <= usuallyFits && visibleLine(typed) == typed)) return m_hint;

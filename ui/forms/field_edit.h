@@ -11,7 +11,7 @@ namespace alidade::ui {
 class FieldBinding;
 class SessionDocument;
 
-/// A line that edits one field. Enter, which moves to the next entry, or leaving the field commits; Escape
+/// A line that edits one field. Enter commits and moves to the next entry; leaving the field commits; Escape
 /// cancels an unfinished entry. An unusable entry stays, with a frame, a mark and the reason as tool tip.
 class FieldEdit : public QLineEdit {
   Q_OBJECT

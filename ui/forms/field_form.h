@@ -12,8 +12,8 @@ namespace alidade::ui {
 
 class SessionDocument;
 
-/// Labelled entries for these fields of the session, with `columns` of them in a row. A field that fills a
-/// row has a row of its own.
+/// Labelled entries for these fields of the session, `columns` entries in a row. A field with `fillsRow` has
+/// a row of its own.
 class FieldForm : public QWidget {
   Q_OBJECT
 

@@ -28,7 +28,7 @@ QWidget* stacked(std::initializer_list<QWidget*> parts) {
   return page;
 }
 
-/// The meaning of an empty σ of R0 depends on the use of the radius.
+/// Shows what an empty σ of R0 means: exact if the radius is known, else no value.
 void sayWhatNoSigmaMeans(const SessionDocument& document, FieldEdit& sigma) {
   const auto say = [&document, &sigma] {
     const bool isKnown = document.session().model.radius == "known";

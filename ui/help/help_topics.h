@@ -20,11 +20,11 @@ const std::vector<HelpPage>& allHelpPages();
 /// The address of a topic: "gap", or an anchor in a page, "words#s0".
 QUrl helpUrl(const QString& topic);
 
-/// The guide's topic for the focused widget, or for its nearest parent with one; the first measurement if
-/// there is none. A widget's topic is its property `helpTopic`, else that of its class.
+/// The guide's topic for `widget`, or else for its nearest parent with a topic; without any, the first
+/// measurement. A widget's topic is its property `helpTopic`, else the topic of its class.
 QString helpTopicOf(const QWidget* widget);
 
-/// The first page.
+/// The topic of the first page.
 QString firstHelpTopic();
 
 /// The topics of all widget classes.

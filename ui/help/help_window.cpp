@@ -119,7 +119,7 @@ void HelpWindow::followPage(const QUrl& page) {
       m_contents->setCurrentRow(static_cast<int>(i));
 }
 
-/// Pages use only the colours of the palette.
+/// Sets the style of the pages, with colours of the palette only.
 void HelpWindow::style() {
   const auto colour = [this](QPalette::ColorRole role) { return palette().color(role).name(); };
   m_browser->document()->setDefaultStyleSheet(

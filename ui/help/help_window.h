@@ -9,7 +9,7 @@ class QTextBrowser;
 
 namespace alidade::ui {
 
-/// The guide: contents, one page, and a search in it. Stays open next to the window.
+/// Shows the contents of the guide, one page, and a search in that page. May stay open next to the window.
 class HelpWindow : public QWidget {
   Q_OBJECT
 

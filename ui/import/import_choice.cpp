@@ -7,7 +7,7 @@ namespace alidade::ui {
 
 namespace {
 
-/// 0 or 180 if a number in the name says so; empty if neither or both occur.
+/// The axis angle in a file name, 0 or 180; empty if the name has neither number or both.
 std::string axisInName(const QString& name) {
   static const QRegularExpression number(QStringLiteral("(?<![0-9.])(0|00|000|180)(?![0-9])"));
   std::string axis;

@@ -34,10 +34,10 @@ struct ImportChoice {
   std::vector<FileChoice> files;               ///< one per source
   std::map<std::string, TableLayout> layouts;  ///< layouts of the tables, by `Recognised::signature`
   std::string zeroPoint = {};
-  bool isAdded = false;  ///< into the current session; else into a new one
+  bool isAdded = false;  ///< true: into the current session; false: into a new one
 };
 
-/// The proposal: recognised layouts, and the axis from file names such as `arc 180.gsi`.
+/// The proposed choices: recognised layouts, and the axis angle from file names such as `arc 180.gsi`.
 ImportChoice proposedChoice(const std::vector<ImportSource>& sources);
 
 /// The result of an import.
@@ -49,7 +49,7 @@ struct ImportReading {
        hasNotes = false;
 };
 
-/// The files in the form of the core; `sources` keep their bytes.
+/// The files with their choices, as input of `importReadings`. The result refers to the bytes in `sources`.
 std::vector<ReadingsFile> filesOf(const std::vector<ImportSource>& sources, const ImportChoice& choice);
 
 /// Adds the readings to `base`. May run on any thread.

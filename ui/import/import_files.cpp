@@ -27,7 +27,7 @@ QWidget* framed(QWidget* content) {
   return frame;
 }
 
-/// The axis of a position item.
+/// The role of the axis angle in the items of the position list.
 constexpr int axisRole = Qt::UserRole + 1;
 
 }  // namespace

@@ -39,7 +39,7 @@ Columns columnsOf(const QString& data) {
   return columns;
 }
 
-/// Keys of an angle in several columns: "horizontal", "horizontal_minutes".
+/// The column key of one part of an angle: "horizontal", "horizontal_minutes".
 std::string partKey(const std::string& key, std::size_t part) {
   auto column = tableColumn(key);
   if (column) column->part = static_cast<AnglePart>(part);
@@ -51,7 +51,7 @@ bool isOfAngle(const std::string& key) {
   return column && column->field && isAngle(*column->field);
 }
 
-/// The columns with this key; empty if none.
+/// The columns with this key, for an angle also those of its minutes and seconds; empty if none.
 Columns heldBy(const TableLayout& layout, const std::string& key) {
   Columns held;
   for (std::size_t part = 0; part < (isOfAngle(key) ? 3U : 1U); ++part) {
@@ -176,7 +176,7 @@ void ImportLayout::fillRole(const Role& role, const ImportSource& source) const 
   role.column->setCurrentIndex(role.column->findData(dataOf(held)));
 }
 
-/// `2: Hz`, `2–4: Hz deg, Hz min, Hz sec`, `column 2`.
+/// Adds a choice such as `2: Hz`, `2–4: Hz deg, Hz min, Hz sec` or `column 2`.
 void ImportLayout::addChoice(const Role& role, const ImportSource& source, const Columns& columns) const {
   const std::vector<std::string>& titles = source.recognised.titles;
   QStringList names, numbers;
@@ -210,7 +210,7 @@ void ImportLayout::show(const ImportSource& source, const TableLayout& layout, b
   m_isFilling = false;
 }
 
-/// A column has one role: the last choice counts.
+/// Reads the choices. A column has one role; the choice made last prevails.
 void ImportLayout::take() {
   if (m_isFilling) return;
   TableLayout layout = m_layout;
@@ -228,7 +228,7 @@ void ImportLayout::take() {
   for (const Role& role : m_roles) {
     const Columns chosen = columnsOf(role.column->currentData().toString());
     if (heldBy(layout, role.key) == chosen) continue;
-    for (std::size_t part = 0; part < chosen.size(); ++part)  // clears the parts that another role took over
+    for (std::size_t part = 0; part < chosen.size(); ++part)  // clears the parts left to this role
       if (layout.columns[chosen[part]] == partKey(role.key, part)) layout.columns[chosen[part]].clear();
     role.column->setCurrentIndex(0);
   }

@@ -13,14 +13,14 @@ class QSpinBox;
 namespace alidade::ui {
 
 /// The layout of a table: unit, decimal sign, rows before the readings, and the role of each column. Columns
-/// of degrees, minutes and seconds form one choice, if numbers or names allow it.
+/// of degrees, minutes and seconds are also offered as one choice if their numbers or names allow that.
 class ImportLayout : public QWidget {
   Q_OBJECT
 
  public:
   ImportLayout();
 
-  /// Shows the layout of a table for editing; for other files, why they need none.
+  /// Shows the layout of a table for editing. For another file, shows why the file needs no layout.
   void show(const ImportSource& source, const TableLayout& layout, bool isRemembered);
   const TableLayout& layout() const { return m_layout; }
 

@@ -13,7 +13,7 @@ namespace {
 
 constexpr qsizetype mostLayouts = 50;
 
-/// Hashed, since a signature contains column names: any text, of any length.
+/// The settings key of a layout: a hash, since a signature contains column names of any text and length.
 QString keyOf(const Recognised& recognised) {
   const QByteArray hash =
       QCryptographicHash::hash(QByteArray::fromStdString(recognised.signature()), QCryptographicHash::Sha256);

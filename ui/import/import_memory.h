@@ -7,11 +7,11 @@
 
 namespace alidade::ui {
 
-/// The last layout of each kind of file, identified by its signature. The present file takes precedence for
-/// its separator, and for unit and decimal sign if its numbers show them.
+/// Remembers the last layout of each kind of file, identified by the signature. The present file determines
+/// the separator, and also the unit and the decimal sign if the numbers show them.
 class ImportMemory {
  public:
-  /// Absent without an earlier layout, or if it does not fit the file.
+  /// Absent if there is no earlier layout, or the earlier layout does not fit the file.
   static std::optional<TableLayout> layoutOf(const Recognised& recognised);
   static void keep(const Recognised& recognised, const TableLayout& layout);
 };

@@ -35,7 +35,7 @@ namespace alidade::ui {
 
 namespace {
 
-/// Includes rows just begun, so that no typing is discarded.
+/// True if any row has an entry. Counts rows just begun too, so that nothing typed is discarded.
 bool hasReadings(const Session& session) {
   return std::ranges::any_of(session.positions, [](const Position& position) {
     return !std::ranges::all_of(position.readings, isBlank);
@@ -53,7 +53,7 @@ Session withoutBlankRows(Session session) {
   return session;
 }
 
-/// Identifies the same files later.
+/// The hashes of the files, to recognise the same files later.
 QString digestsOf(const std::vector<ImportSource>& sources) {
   QStringList digests;
   for (const ImportSource& source : sources) digests.append(qText(source.sha256));
@@ -203,7 +203,7 @@ QWidget* ImportPage::createFoot() {
   return foot;
 }
 
-/// The last layouts, with the unit of the session's instrument if nothing else determines it.
+/// Restores the remembered layouts; the session's instrument supplies a unit that nothing else determines.
 void ImportPage::recallLayouts() {
   for (const ImportSource& source : m_request.sources) {
     const std::string signature = source.recognised.signature();
@@ -278,7 +278,7 @@ void ImportPage::showReading() {
 
 void ImportPage::showProblems() {
   QStringList sentences;
-  bool isUnitOpen = false;  // the unit of the numbers is then the only question
+  bool isUnitOpen = false;  // then the user is asked only for the unit of the numbers
   for (std::size_t i = 0; i < m_request.sources.size(); ++i) isUnitOpen = isUnitOpen || asksUnit(i);
   for (const ProblemGroup& kind : m_shown->kinds)
     if (!isUnitOpen || !kind.first.asksUnit) sentences.append(capitalised(visibleLine(kind.text())) + u'.');
@@ -319,7 +319,7 @@ QString ImportPage::unplacedFile() const {
   return {};
 }
 
-/// Plain numbers may have any unit, so the user must choose.
+/// True if the user must choose the unit, since the numbers of the file may have any unit.
 bool ImportPage::asksUnit(std::size_t source) const {
   const Recognised& recognised = m_request.sources[source].recognised;
   const auto layout = m_choice.layouts.find(recognised.signature());

@@ -24,22 +24,22 @@ class ImportLayout;
 class ImportPreview;
 class ImportZeros;
 
-/// The input of an import and its target.
+/// The files to import, and the current session.
 struct ImportRequest {
-  std::vector<ImportSource> sources;       ///< at least one
-  std::shared_ptr<const Session> session;  ///< the current one
+  std::vector<ImportSource> sources;  ///< at least one
+  std::shared_ptr<const Session> session;
 };
 
 /// The result: the session made by the import, and the origin of its rows.
 struct ImportDecision {
   Session session;
-  bool isAdded = false;               ///< the current session with the readings; else a new one
-  std::vector<JournalEntry> origins;  ///< entries of the journal
+  bool isAdded = false;               ///< true: the current session with the readings; false: a new one
+  std::vector<JournalEntry> origins;  ///< journal entries that state the origin of the rows
   std::size_t rows = 0;
 };
 
 /// Asks on one page how to import files of readings: format, position, round, units, columns, pointing zeros,
-/// and target; shows a preview of the rows. Remembers the choices for a layout. Reads on another thread.
+/// and target; shows a preview of the rows. Remembers the chosen layouts. Reads on another thread.
 class ImportPage : public QDialog {
   Q_OBJECT
 

@@ -27,7 +27,7 @@ Result<std::vector<ImportSource>> textSource(const QString& name, const std::str
 /// True for the name of a file of readings, or of a format that is recognised but refused.
 bool isReadingsFile(const QString& path);
 
-/// The patterns of such names for a file dialog: `*.gsi *.GSI …`.
+/// The name patterns of files of readings for a file dialog: `*.gsi *.GSI …`.
 QString readingsPatterns();
 
 }  // namespace alidade::ui

@@ -101,7 +101,7 @@ void ImportZeros::mark(QLineEdit& edit, const std::string& problem, const QStrin
   if (!edit.isReadOnly()) edit.setToolTip(visibleLine(problem));
 }
 
-/// A zero needs both readings or neither.
+/// Checks that each typed zero has two valid angles, or none.
 void ImportZeros::check() {
   m_problem.clear();
   for (auto& [name, row] : m_rows) {

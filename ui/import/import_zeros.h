@@ -38,7 +38,7 @@ class ImportZeros : public QWidget {
     QLabel* label;
     QLineEdit *horizontal, *vertical;
     std::size_t position;  ///< index in the session
-    bool isTyped;          ///< false: it exists already
+    bool isTyped;          ///< false: the zero exists already
   };
 
   Row& rowOf(const QString& name);

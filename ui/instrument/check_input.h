@@ -58,7 +58,7 @@ class CheckInput : public QWidget {
   QListWidget* m_list;
   QPushButton *m_add, *m_remove, *m_clear;
   CheckRowsTable* m_table;
-  ReadingBlock m_cleared;  ///< last cleared rows, until another is typed
+  ReadingBlock m_cleared;  ///< the rows cleared last; empty once a row is typed
   QLineEdit *m_name, *m_serial, *m_date, *m_due;
   QDoubleSpinBox *m_sigmaDirection, *m_sigmaVertical;
   QComboBox *m_unit, *m_circle;

@@ -53,7 +53,7 @@ void CheckPlot::add(Point point) {
   if (std::isfinite(point.x) && std::isfinite(point.y)) m_points.push_back(point);
 }
 
-/// Values minus the station mean, so that they share one axis.
+/// Adds the values minus their station mean, so that all of them share one axis.
 void CheckPlot::addCourse(const StationCheck& station, std::size_t before) {
   for (std::size_t j = 0; j < station.course.size(); ++j) {
     const RoundCourse& round = station.course[j];

@@ -10,7 +10,7 @@ namespace alidade::ui {
 
 /// The results of an instrument check as points: collimation, index and orientation over the rounds of all
 /// stations in sequence, the residuals of every pair, or the collimation of each target over its distance.
-/// Fill and shapes stay distinguishable in grey.
+/// Points differ in fill and shape, also in grey.
 class CheckPlot : public Plot {
   Q_OBJECT
 
@@ -43,7 +43,7 @@ class CheckPlot : public Plot {
     double x, y;
     Kind kind;
     const StationCheck* station;
-    std::size_t round, target;  ///< unused: the target in a course, the round over distance
+    std::size_t round, target;  ///< a course uses no target, a plot over distance no round
   };
 
   void draw();

@@ -26,7 +26,7 @@ QString nameOf(const CheckIdentity& identity) {
   return parts.isEmpty() ? Report::tr("instrument without a name") : listText(parts);
 }
 
-/// The stations in two tables, since all columns are wider than the page.
+/// Adds the stations as two tables, since one table with all columns is wider than the page.
 void addStations(ReportSheet& sheet, const InstrumentCheck& check) {
   const Statement whole = stationsTable(check);
   const auto part = [&](const std::vector<std::size_t>& columns) {

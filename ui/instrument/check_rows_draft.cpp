@@ -33,7 +33,7 @@ QJsonObject draftOf(const ReadingBlock& block) {
 
 }  // namespace
 
-/// Rows are stored only once committed, so a key in an open cell does not copy them.
+/// Stores the open cell apart from the committed rows, so that a key typed in the cell copies no rows.
 CheckRowsDraft::CheckRowsDraft(CheckRowsTable& table) : QObject(&table), m_table(table) {
   restore();
   connect(&table.rows(), &CheckRowsModel::edited, this, &CheckRowsDraft::keepRows);

@@ -31,7 +31,7 @@ class CheckRowsModel : public QAbstractTableModel {
   std::string csv() const;  ///< the rows line by line, without an unfinished last one
 
   /// Pastes from this cell on, adding rows. A block whose first rows name columns goes to those columns, with
-  /// degrees, minutes and seconds joined. The problem says why such a block is refused as a whole.
+  /// degrees, minutes and seconds joined. The problem says why a block with column names is refused.
   std::optional<Problem> paste(const ReadingBlock& block, int row, int column);
   void clear(const QModelIndexList& cells);  ///< also removes rows left empty
 

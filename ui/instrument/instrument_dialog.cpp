@@ -181,7 +181,7 @@ bool InstrumentDialog::exportPdf() {
   return false;
 }
 
-/// Dated by the readings, or today if no file states a date.
+/// Saves the record with the date of the readings, or with today's date if no file states one.
 bool InstrumentDialog::saveRecord() {
   CheckIdentity identity = m_answer->identity;
   if (identity.measuredOn.empty()) identity.measuredOn = localDay();

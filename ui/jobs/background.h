@@ -38,7 +38,7 @@ class Background {
     m_threads.waitForDone();
   }
 
-  /// Starts the work; only while nothing is running. `work` makes a `Value` from a `std::stop_token`. On
+  /// Starts the work. Call only while no work is running. `work` makes a `Value` from a `std::stop_token`. At
   /// delivery this object keeps no reference to the value or the work. If `work` throws, `instead` makes the
   /// value in the owner's thread from the reason (`thrownReason`).
   template <typename Work, typename Instead>

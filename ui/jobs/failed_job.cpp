@@ -23,7 +23,7 @@ namespace {
 
 constexpr int mostRecords = 50;
 
-/// Inserts the session as its file text, since Qt's JSON preserves neither the key order nor all digits.
+/// The text of a record, with the session's file text: Qt's JSON keeps neither the key order nor all digits.
 QByteArray recordOf(const FailedJob& failed, const QDateTime& now) {
   QJsonObject head{{QStringLiteral("program"), qText("Alidade " + versionAndBuild())},
                    {QStringLiteral("qt"), QString::fromLatin1(qVersion())},

@@ -21,9 +21,9 @@ struct FailedJob {
 /// The folder of failure records: `problems` in the program's data folder.
 QString problemsFolder();
 
-/// Writes a record: one per job and reason while the program runs, the newest 50 in all. Never throws.
+/// Writes one record per job and reason while the program runs, and keeps the newest 50. Never throws.
 FailedWork recorded(const FailedJob& failed);
-/// The same in sentences for the user. Never throws.
+/// Writes a record as `recorded` does, and returns sentences for the user. Never throws.
 std::string reportFailure(const FailedJob& failed);
 
 }  // namespace alidade::ui

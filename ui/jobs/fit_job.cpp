@@ -13,7 +13,7 @@ namespace alidade::ui {
 
 namespace {
 
-/// The evaluation with its pictures; without them if asked to stop.
+/// Adds the pictures to the evaluation, unless a stop was requested.
 Evaluation drawn(Evaluation evaluation, const std::stop_token& stop) {
   if (stop.stop_requested()) return evaluation;
   auto pictures = std::make_shared<EvaluationPictures>();

@@ -28,14 +28,14 @@ class FitJob : public QObject {
   bool isIdle() const { return !m_fit.isAtWork() && !m_fitted; }  ///< nothing remains to be delivered
 
  signals:
-  /// Emitted with the fit; if suspects are not searched yet, `searched` follows unless another request comes
-  /// first.
+  /// Emitted after the fit. If the search for misread readings is still to be made, `searched` follows unless
+  /// another request comes first.
   void evaluated(const alidade::ui::SharedEvaluation& evaluation);
-  /// The evaluation delivered last, now with its suspects.
+  /// The evaluation delivered last, now with the result of the search for misread readings.
   void searched(const alidade::ui::SharedEvaluation& evaluation);
 
  private:
-  /// `found`: null if it was stopped.
+  /// `found` is null if the search was stopped.
   struct Search {
     SharedEvaluation fitted, found;
   };
@@ -46,7 +46,7 @@ class FitJob : public QObject {
   void finishSearch(const Search& done);
 
   std::optional<Session> m_next;  ///< requested during a fit
-  SharedEvaluation m_fitted;      ///< delivered last, search still wanted; null if not
+  SharedEvaluation m_fitted;      ///< delivered last, and still to be searched; else null
   Background<Evaluation> m_fit;
   Background<Search> m_search;
 };

@@ -9,7 +9,6 @@
 
 namespace alidade::ui {
 
-/// Views may keep it as long as they like.
 using SharedGap = std::shared_ptr<const Gap>;
 
 /// Diagnoses evaluations in the background, one at a time. Only the newest request is delivered; outdated

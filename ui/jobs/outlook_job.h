@@ -15,9 +15,9 @@ namespace alidade::ui {
 /// The effect of further sightings on the session of one evaluation.
 struct OutlookOfSession {
   SharedEvaluation evaluation;
-  Outlook outlook = {};                      ///< in a listed protocol
-  std::optional<SightingsAhead> ahead = {};  ///< in a protocol by worth
-  std::string failure = {};                  ///< why there is none: sentences
+  Outlook outlook = {};                      ///< for a protocol that lists its sightings
+  std::optional<SightingsAhead> ahead = {};  ///< for a protocol by worth
+  std::string failure = {};                  ///< sentences why there is no outlook
 };
 
 using SharedOutlook = std::shared_ptr<const OutlookOfSession>;
@@ -33,7 +33,7 @@ class OutlookJob : public QObject {
   /// Requests the outlook of an evaluation with a guide. `gap`: its diagnosis, or null; `uncertainty`: the U
   /// of Δd that a protocol by worth is to reach, mm.
   void request(SharedEvaluation evaluation, SharedGap gap, double uncertainty);
-  void cancel();  ///< nothing of the request is delivered
+  void cancel();  ///< drops the request; nothing more is delivered
   bool isIdle() const { return !m_wanted && !m_work.isAtWork(); }
 
  signals:

@@ -16,9 +16,9 @@ namespace alidade::ui {
 
 /// A session of a series, and whether it is usable.
 struct SeriesSession {
-  std::string path;  ///< in the form of the core
+  std::string path;  ///< encoded for the core
   std::optional<Epoch> epoch = {};
-  std::string trouble = {};  ///< why there is no epoch, or why it is left out
+  std::string trouble = {};  ///< why the session has no epoch, or is left out
 };
 
 /// Sessions and their joint results.
@@ -29,32 +29,31 @@ struct Series {
 
 using SharedSeries = std::shared_ptr<const Series>;
 
-/// The sessions of folders, series and files, each once, as paths of the core: a folder's *.alidade files by
-/// name. An unreadable series is listed itself.
+/// The paths of the sessions in folders, series and files, each once, encoded for the core. A folder yields
+/// its *.alidade files by name. An unreadable series yields its own path.
 std::vector<std::string> sessionPathsIn(const QStringList& filesAndFolders);
 
 /// Reads, fits and diagnoses the sessions of `added` in parallel, and evaluates their history together with
-/// the known ones. Asked to stop, it leaves out the unread ones. `progressed` may be called from any thread.
+/// the known ones. After a stop request, unread sessions are left out. Any thread may call `progressed`.
 Series readSeries(std::vector<SeriesSession> known, const std::vector<std::string>& added,
                   const std::stop_token& stop,
                   const std::function<void(int done, int total)>& progressed = {});
 
-/// Reads, fits and diagnoses new sessions in the background and in parallel, and evaluates the history of
-/// all.
+/// Runs `readSeries` in the background.
 class SeriesJob : public QObject {
   Q_OBJECT
 
  public:
   explicit SeriesJob(QObject* parent = nullptr);
 
-  /// `known`: sessions read before. Only while nothing is running.
+  /// `known`: sessions read before. Call only while no work is running.
   void start(const SharedSeries& known, const std::vector<std::string>& added);
   void stop() { m_work.stop(); }
   bool isAtWork() const { return m_work.isAtWork(); }
 
  signals:
   void progressed(int done, int total);
-  /// Lacks the sessions still unread when it was stopped.
+  /// After a stop, `series` lacks the sessions that were still unread.
   void finished(const alidade::ui::SharedSeries& series);
 
  private:

@@ -12,14 +12,14 @@
 
 namespace alidade::ui {
 
-/// True if both have equal input to the fit.
+/// True if the fit has equal input in both sessions.
 bool measuresAlike(const Session& one, const Session& other);
 
 /// A Monte Carlo check of the uncertainty of one evaluation.
 struct BudgetCheck {
   SharedEvaluation evaluation;
   std::optional<MonteCarlo> simulated;  ///< empty: stopped, failed, or too few draws gave a result
-  std::string failure = {};             ///< why it failed: sentences
+  std::string failure = {};             ///< sentences why the check failed
 
   /// True if the figures are also valid for this session.
   bool isOf(const Session& session) const;
@@ -34,7 +34,7 @@ class SimulationJob : public QObject {
  public:
   explicit SimulationJob(QObject* parent = nullptr);
 
-  /// Does nothing while one is running. Zero `draws`: as many as a decision needs.
+  /// Does nothing while a check is running. 0 `draws`: as many as a decision needs.
   void start(const SharedEvaluation& evaluation, std::size_t draws);
   void stop() { m_work.stop(); }  ///< `finished` follows without a result
   bool isAtWork() const { return m_work.isAtWork(); }

@@ -26,8 +26,8 @@ class Interpreter : public QTranslator {
   QString translate(const char* context, const char* source, const char* disambiguation,
                     int n) const override;
 
-  /// `setTongue` sets the language of the program. `ownTongue` is that of this thread, null without one;
-  /// `tongue` is the one in use.
+  /// `setTongue` sets the language of the program. `ownTongue` is the language set for the calling thread, or
+  /// null; `tongue` is the language that the thread uses.
   static void setTongue(const Tongue* tongue);
   static const Tongue*& ownTongue();
   static const Tongue* tongue();

@@ -11,7 +11,7 @@ struct LanguageInfo {
   QString name;  ///< in the language itself: "简体中文"
 };
 
-/// English, in which the sources are written, first.
+/// All languages, English first, since the sources are written in English.
 const std::vector<LanguageInfo>& allLanguages();
 
 /// The language of an id, or of the desktop's locale if the id is unknown; English if none is supported.

@@ -12,7 +12,7 @@ class QPagedPaintDevice;
 
 namespace alidade::ui {
 
-/// The self-test of the core and of the window, at one time.
+/// The result of the self-test of the core and of the window, with its time.
 struct InstallationCheck {
   SelfTest test;
   QDateTime at;
@@ -24,7 +24,7 @@ using SharedInstallationCheck = std::shared_ptr<const InstallationCheck>;
 /// Checks this program, in the window's thread; takes a second.
 InstallationCheck checkInstallation();
 
-/// The same with given lines of the core, which any thread may compute.
+/// Adds the checks of the window to those of the core, which any thread may make.
 InstallationCheck checkInstallation(SelfTest ofCore);
 
 /// Paints the check for paper: program, machine and libraries, all lines, the verdict. False: painting
@@ -32,8 +32,8 @@ InstallationCheck checkInstallation(SelfTest ofCore);
 bool paintInstallationCheck(QPagedPaintDevice& device, const InstallationCheck& check,
                             const ReportPaper& paper = {});
 
-/// Writes a PDF/A-3b with the check as JSON attached. Returns the path, or why writing failed, for example if
-/// it is one of `inputs`.
+/// Writes a PDF/A-3b with the check as JSON attached. Returns the path, or why writing failed, for example
+/// because `path` is one of `inputs`.
 Result<QString> writeInstallationCheck(const InstallationCheck& check, const QString& path,
                                        const QStringList& inputs, const ReportPaper& paper = {});
 

@@ -136,7 +136,7 @@ bool InstallationDialog::print() {
   printer.setFullPage(true);
   printer.setPageLayout(paper.layout());
   if (!m_dialogs.askPrinter(printer)) return false;
-  printer.setFullPage(true);  // for every printer the user may choose
+  printer.setFullPage(true);  // again, since the user may have chosen another printer
   if (paintInstallationCheck(printer, *m_check, paper)) return true;
   m_dialogs.showProblem(windowTitle(),
                         tr("Alidade cannot print on “%1”: choose another printer, or save a PDF.")

@@ -19,7 +19,7 @@ namespace {
 constexpr auto inWindow = CheckGroup::Window;
 constexpr const char* byWholeFile = PHRASE_LATER("Phrase", "SHA-256 of the whole file");
 
-/// Checks a built-in file by the hash of its source.
+/// Compares the built-in files with the hashes of the installed files of the same name.
 void addOwnFiles(std::vector<SelfCheck>& checks, const QString& folder, const std::string& installed) {
   for (const InstalledFile& file : installedFiles()) {
     if (!file.path.starts_with(installed)) continue;
@@ -33,7 +33,7 @@ void addOwnFiles(std::vector<SelfCheck>& checks, const QString& folder, const st
   }
 }
 
-/// Checks in each language that a text of every window is translated.
+/// Checks in each language except English that the text "passed" is translated.
 void addLanguages(std::vector<SelfCheck>& checks) {
   for (const LanguageInfo& language : allLanguages()) {
     const LanguageScope scope(language.id);

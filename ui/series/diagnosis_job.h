@@ -16,11 +16,11 @@ struct SeriesAnswer {
   std::string reason = {};               ///< the reason for a missing diagnosis
 };
 
-/// Reads session files and diagnoses them together, without unusable ones.
+/// Reads session files and diagnoses the usable ones together.
 SeriesAnswer diagnoseTogether(const std::vector<std::string>& files, const std::stop_token& stop,
                               const std::function<void(int done, int total)>& progressed = {});
 
-/// The same in the background.
+/// Runs `diagnoseTogether` in the background.
 class SeriesDiagnosisJob : public QObject {
   Q_OBJECT
 

@@ -13,7 +13,7 @@ namespace alidade::ui {
 using SharedSeriesDiagnosis = std::shared_ptr<const SeriesDiagnosis>;
 
 /// The shared causes of sessions: the summary, the causes with their owners, each session alone and with the
-/// others, and which to measure next.
+/// others, and which session to measure next.
 class DiagnosisPanel : public QWidget {
   Q_OBJECT
 
@@ -29,7 +29,7 @@ class DiagnosisPanel : public QWidget {
  signals:
   /// A session was activated: its index in the diagnosed files.
   void sessionWanted(std::size_t file);
-  /// An offered effect is to be kept as a file.
+  /// The user wants to save an offered effect as a file.
   void keepWanted(const alidade::OwnEffect& effect);
 
  private:

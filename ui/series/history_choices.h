@@ -13,8 +13,8 @@ class QSpinBox;
 
 namespace alidade::ui {
 
-/// Chooses the history to draw, in a row: the device or instrument, if there are several, its quantity, and
-/// how many of the first values are the baseline. New choices keep what was chosen if it is still there.
+/// A row of choices for the history to draw: the device or instrument, if there are several, the quantity,
+/// and how many of the first values are the baseline. When a list is replaced, the choice stays if possible.
 class HistoryChoices : public QWidget {
   Q_OBJECT
 
@@ -24,7 +24,7 @@ class HistoryChoices : public QWidget {
     QString owner, ownerLabel;  ///< "Device", "&Device"
     QString baseline;           ///< for screen readers: "Sessions in the baseline"
     QString all;                ///< a baseline of 0: "all sessions"
-    QString tip;                ///< of the baseline
+    QString tip;                ///< tool tip of the baseline
   };
 
   explicit HistoryChoices(const Words& words, QWidget* parent = nullptr);

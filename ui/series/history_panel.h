@@ -24,10 +24,10 @@ class HistoryPanel : public QWidget {
   /// The number of first sessions in the baseline of every device; 0: all.
   void setBaseline(int sessions);
   int baseline() const;
-  /// The device shown, with the baseline; null: none.
+  /// The history of the device shown, with the baseline; null if there is none.
   const DeviceHistory* device() const;
   const std::vector<DeviceHistory>& devices() const { return m_deviceHistories; }
-  /// Compares the sessions of these two files, if both belong to the device shown; else explains how.
+  /// Compares the sessions of these two files, if both belong to the device shown; else shows how to compare.
   void compare(const std::vector<std::string>& files);
   /// Highlights the point of this file's session.
   void highlight(const std::string& file);

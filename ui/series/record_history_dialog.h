@@ -23,8 +23,8 @@ class RecordHistoryDialog : public QDialog {
  public:
   explicit RecordHistoryDialog(Dialogs& dialogs, QWidget* parent = nullptr);
 
-  void addFolder();  ///< shows the dialog
-  /// Records and folders of them; a file that was added before is left out.
+  void addFolder();  ///< asks for the folder
+  /// Adds records and the records in folders; skips files added before.
   void add(const QStringList& filesAndFolders);
   bool exportJson();
   bool exportCsv();
@@ -48,7 +48,7 @@ class RecordHistoryDialog : public QDialog {
   std::vector<std::string> m_unusable;  ///< file and reason
   InstrumentHistories m_histories;
   QStringList m_paths;  ///< files added
-  QString m_folder;     ///< the last one visited
+  QString m_folder;     ///< the folder visited last
   StatementTable* m_table;
   HistoryChoices* m_choices;
   HistoryChart* m_chart;

@@ -267,7 +267,7 @@ void SeriesWindow::diagnose() {
   m_diagnosisJob.start(files);
 }
 
-/// Ordered by date; undated ones last.
+/// Shows the sessions in the order of their dates, undated sessions last.
 void SeriesWindow::showSessions() {
   std::vector<const SeriesSession*> sessions;
   if (m_series)

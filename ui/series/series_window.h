@@ -16,8 +16,8 @@ namespace alidade::ui {
 class Dialogs;
 class HistoryPanel;
 
-/// Sessions of one or several devices together: a table of them, with pages of results below. A window
-/// separate from the main one.
+/// A separate window for the sessions of one or several devices together: their table, with pages of results
+/// below.
 class SeriesWindow : public QWidget {
   Q_OBJECT
 
@@ -32,11 +32,11 @@ class SeriesWindow : public QWidget {
   QTableWidget* table() const { return m_table; }
   const SharedSeries& series() const { return m_series; }
 
-  void addFolder();  ///< shows the dialog
+  void addFolder();  ///< asks for the folder
   void addFiles();
   void add(const QStringList& filesAndFolders);
   void removeSelected();
-  /// The sessions as a file, with paths relative to it, and the baseline; shows the dialog.
+  /// Asks for a file, and writes the baseline and the paths of the sessions relative to that file.
   bool saveSeries();
   bool exportJson();
   bool exportCsv();
@@ -65,7 +65,7 @@ class SeriesWindow : public QWidget {
   SeriesJob m_job;
   SeriesDiagnosisJob m_diagnosisJob;
   SharedSeries m_series;
-  QString m_folder;                      ///< the last one visited
+  QString m_folder;                      ///< the folder visited last
   std::vector<std::string> m_diagnosed;  ///< files in the order of the diagnosis
   std::vector<std::string> m_waiting;    ///< to be added after the running work
   QTableWidget* m_table;

@@ -7,7 +7,7 @@ namespace alidade::ui {
 /// The last opened files, newest first, at most ten, remembered between starts.
 class RecentFiles {
  public:
-  /// Leaves out missing files (for example on an unplugged drive), but remembers them.
+  /// The remembered files that exist now; others may be on an unplugged drive.
   static QStringList existing();
   static QStringList all();
   static void add(const QString& path);

@@ -64,7 +64,7 @@ QPalette darkPalette() {
                    "#7fb2ec");
 }
 
-/// Wraps the lines of a tool tip that would cover half the screen.
+/// Wraps the lines of a wide tool tip.
 class TipShaper : public QObject {
  public:
   using QObject::QObject;
@@ -83,8 +83,8 @@ class TipShaper : public QObject {
   }
 };
 
-/// Fusion without the light line above a tool bar, which glares on dark colours. Frames of check boxes are
-/// visible, while Fusion draws them darker than the window.
+/// Fusion without the light line above a tool bar, which glares on dark colours. In dark colours the frames
+/// of check boxes are lighter, since Fusion draws them darker than the window.
 class WorkstationStyle : public QProxyStyle {
  public:
   WorkstationStyle() : QProxyStyle(QStringLiteral("Fusion")) {}
@@ -164,7 +164,7 @@ void setUpApplication(QApplication& application) {
 void applyTheme(Theme theme) {
   const bool dark = theme == Theme::Dark || (theme == Theme::System && isDark(desktopPalette()));
   const QPalette palette = dark ? darkPalette() : lightPalette();
-  QPixmapCache::clear();  // it caches disabled icons in the old colours
+  QPixmapCache::clear();  // the cache has disabled icons in the old colours
   QApplication::setPalette(palette);
   QToolTip::setPalette(palette);
   QSettings().setValue(themeKey, static_cast<int>(theme));

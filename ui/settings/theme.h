@@ -26,7 +26,7 @@ enum class State { Good, Bad, Open, Quiet };
 /// always accompany the colour.
 QColor stateColor(const QPalette& palette, State state);
 
-/// A faint background of the same meaning.
+/// A faint background colour of a state.
 QColor stateTint(const QPalette& palette, State state);
 
 /// One of the program's own icons, legible on light and dark.

@@ -39,11 +39,11 @@ class FontNews : public QObject {
   void changed();
 };
 
-/// Calls `layOut` now and after every font change, for sizes outside layouts.
+/// Calls `layOut` now and after every font change, to set sizes that no layout sets.
 void layOutByFont(QWidget& widget, const std::function<void()>& layOut);
-/// Scales letters relative to the program's font, also after changes.
+/// Scales the letters of a widget relative to the program's font, also after changes of that font.
 void scaleFont(QWidget& widget, double factor);
-/// `pixels`, scaled from the original font of the layout to the current one.
+/// `pixels` for DejaVu Sans at 9.5 points, enlarged in proportion to the line height of a larger font.
 int byFont(int pixels);
 
 }  // namespace alidade::ui

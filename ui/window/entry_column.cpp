@@ -137,7 +137,7 @@ void EntryColumn::connectFindings(SessionJobs& jobs) {
   });
   connect(&jobs, &SessionJobs::gapAged, m_findings, &FindingsPanel::setGapStale);
   connect(&jobs, &SessionJobs::gapCleared, m_findings, &FindingsPanel::clearGap);
-  // The lines above the list are laid out first, by events that are already posted.
+  // Waits for the posted events that lay out the lines above the list.
   connect(m_findings, &FindingsPanel::listed, this,
           [this] { QTimer::singleShot(0, this, &EntryColumn::giveFindingsRoom); });
   connect(m_findings, &FindingsPanel::gapActivated, this, &EntryColumn::gapWanted);
@@ -145,9 +145,9 @@ void EntryColumn::connectFindings(SessionJobs& jobs) {
           [this](const Place& place) { emit revealWanted(place, true); });
 }
 
-/// Gives the findings the height of all their lines, up to a third of the column and leaving some rows to the
-/// readings, unless the user has set the height. The height is reduced only if half of it would be free,
-/// since the lines on a half-typed row come and go with each reading.
+/// Gives the findings the height of all their lines, up to a third of the column; some rows of readings stay
+/// visible. Keeps a height set by the user. Reduces the height only if more than half would be free, since
+/// lines on a half-typed row appear and disappear with each reading.
 void EntryColumn::giveFindingsRoom() {
   if (isSetByHand(*m_column)) return;
   QList<int> sizes = m_column->sizes();
@@ -166,7 +166,7 @@ void EntryColumn::giveFindingsRoom() {
     give(std::min(sizes[1] + cut, most));
   ReadingsTable* table = m_positions->currentTable();
   if (!table) return;
-  // The forms, so far at their smallest, take back a part of the returned height; hence two passes.
+  // The forms, so far at their minimum, use a part of the returned height; hence two passes.
   constexpr int leastRows = 5;
   const int least = m_column->widget(1)->minimumSizeHint().height();
   for (int pass = 0; pass < 2; ++pass) {

@@ -36,7 +36,7 @@ struct MadePage {
   PageTabs::Wanted wanted = {};
 };
 
-enum class PageSide { Beside, Below };  ///< of the picture of the arcs
+enum class PageSide { Beside, Below };  ///< side of the picture of the arcs
 
 /// A page of the window.
 struct PageInfo {
@@ -45,7 +45,7 @@ struct PageInfo {
   const char* helpTopic;  ///< in the guide
   const char* keys;       ///< its shortcut
   PageSide side;
-  MadePage (*make)(const WindowParts& parts, ResultColumn& column);  ///< creates and connects it
+  MadePage (*make)(const WindowParts& parts, ResultColumn& column);  ///< creates and connects the page
 };
 
 /// All pages in the order of tabs and menu.

@@ -31,11 +31,11 @@ class ResultColumn : public QObject {
   void showPage(std::string_view id);
   /// Commits unfinished entries.
   void commit();
-  /// Leads to a place that a page edits; false if there is none.
+  /// Leads to a place that a page edits; false if no page edits this place.
   bool reveal(const Place& place, bool takeFocus);
   /// Leads to a reading.
   void select(std::size_t position, std::size_t row);
-  /// Gives the room of the picture to the pages below it.
+  /// If not `shown`, the pages below get the room of the picture and of the pages beside it.
   void setPictureShown(bool shown) { m_top->setVisible(shown); }
 
  signals:

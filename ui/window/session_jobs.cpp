@@ -58,7 +58,7 @@ void SessionJobs::show(const SharedEvaluation& evaluation) {
   m_gap.request(evaluation);
 }
 
-/// Shows the last diagnosis again, and returns true, if the measurement is unchanged, as after an undo.
+/// If the measurement is unchanged, as after an undo, shows the last diagnosis again and returns true.
 bool SessionJobs::showGapAgain(const SharedEvaluation& evaluation) {
   if (!m_completed || !isSameMeasurement(m_completed->evaluation->session, evaluation->session)) return false;
   Gap gap = *m_completed;

@@ -11,7 +11,7 @@ namespace alidade::ui {
 class SessionDocument;
 struct SessionChange;
 
-/// Fits and diagnoses the current session after each change, and tells the window what is known of it.
+/// Fits and diagnoses the current session after each change, and emits the results for the window.
 class SessionJobs : public QObject {
   Q_OBJECT
 
@@ -35,7 +35,7 @@ class SessionJobs : public QObject {
   void searchStopped();
   void headlineChanged(const alidade::Headline& headline);
   void gapChanged(const alidade::ui::SharedGap& gap);
-  void gapAged();     ///< the session changed: the gap shown is that of an earlier state
+  void gapAged();     ///< the session or the evidence changed: the gap shown is outdated
   void gapCleared();  ///< another session, not diagnosed yet
 
  private:
@@ -51,8 +51,8 @@ class SessionJobs : public QObject {
   FitJob m_fit;
   GapJob m_gap;
   SharedEvaluation m_shown;  ///< the newest; null before the first
-  SharedGap m_completed;     ///< the last one with its `dependences`; null: none, or with other evidence
-  bool m_isGapOld = false;   ///< the gap shown is that of an earlier state
+  SharedGap m_completed;     ///< the last gap with its `dependences`; null: none, or with other evidence
+  bool m_isGapOld = false;   ///< the gap shown is outdated
 };
 
 }  // namespace alidade::ui

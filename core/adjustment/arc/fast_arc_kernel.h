@@ -306,7 +306,7 @@ template <typename T>
           outcome.iterations};
 }
 
-/// The work on many places, for one kind of processor.
+/// The functions over many places, for one kind of processor.
 struct ArcKernel {
   /// Fits one arc. `places`: room for the blocks of the readings.
   void (*solveOne)(PlaceEquation* places, const Readings& readings, const Setup& setup,

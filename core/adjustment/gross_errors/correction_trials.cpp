@@ -71,8 +71,8 @@ VisitCheck CorrectionTrials::checkOf(const Visited& visit, const Visited* other)
   return VisitCheck(m_sound, visit.arc, options.without, fitJointly(m_sound, m_starts, options), options);
 }
 
-/// The rows of the visit with a correction, minus the shifts of misread cells that it does not change; empty
-/// if they cannot be used.
+/// The rows of the visit with a correction, minus the shifts of misread cells that the correction leaves
+/// unchanged. Empty if a row cannot be used.
 std::vector<Sighting> CorrectionTrials::rowsWith(const Visited& visit, const Correction& correction,
                                                  const std::vector<GrossError>& keptOff) {
   const std::size_t position = m_fitted.arcs[visit.arc].position;

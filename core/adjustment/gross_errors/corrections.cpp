@@ -106,8 +106,8 @@ RowReader::RowReader(const Session& session) : m_firstSequences(firstSequences(s
   m_alone.environment = session.environment;
   m_alone.geometry = session.geometry;
   m_alone.model = session.model;
-  for (const Position& position : session.positions)  // all positions: which faces of a zero count depends on
-                                                      // the others
+  for (const Position& position : session.positions)  // all positions, since together they decide which
+                                                      // faces of a zero count
     m_alone.positions.push_back(
         {.axisDeg = position.axisDeg, .zero = position.zero, .readings = {}, .origin = {}});
 }

@@ -36,7 +36,7 @@ MatrixXd matrixOf(const SquareMatrix& square) {
       square.values.data(), size, size);
 }
 
-/// The projector onto the residuals, entry by entry. If asked to stop it holds only the first readings.
+/// The projector onto the residuals, entry by entry. After a stop request it has only the first readings.
 class Projector {
  public:
   Projector(const Measurement& measurement, const JointFitOptions& options, const JointFit& fit,
@@ -68,7 +68,7 @@ class Projector {
     return i == j ? m_redundancies[static_cast<Index>(i)] : entry(i, j);
   }
 
-  /// The index of the cell; the number of readings if it is not among them.
+  /// The index of the reading of the cell; the number of readings if the cell has none.
   std::size_t indexOf(const ReadingRef& cell) const {
     return std::min<std::size_t>(m_slots[cell.arc][slotIn(cell)], m_readings.size());
   }

@@ -46,12 +46,10 @@ struct Unknown {
   std::size_t arc = 0;                      ///< index into the measurement's arcs; 0 for Distance and Error
   ErrorTerm term = ErrorTerm::Collimation;  ///< of an Error
 
-  /// Does it belong to the guideway at one rotation of the axis, independent of the arc that is sighted
-  /// there?
+  /// Does the unknown belong to the guideway at one axis angle, so that repeated arcs share it?
   bool isOfAxis() const { return kind == Kind::CentreX || kind == Kind::CentreY || kind == Kind::Radius; }
   bool isPointingZero() const { return kind == Kind::HorizontalZero || kind == Kind::VerticalZero; }
-  /// Does a reading of arc `index` depend on it? `firsts`: for each arc the one whose centre and radius it
-  /// shares.
+  /// Does a reading of arc `index` depend on the unknown? `firsts`: as `JointFit::firsts`.
   bool concerns(std::size_t index, const std::vector<std::size_t>& firsts) const {
     return kind == Kind::Distance || kind == Kind::Error || arc == everyArc ||
            arc == (isOfAxis() ? firsts[index] : index);
@@ -81,7 +79,7 @@ struct AdjustedReading {
   double redundancy = 0;    ///< share of an error of this reading that shows in its own residual, 0…1
   double perReading = 0;    ///< ∂Δd/∂reading, mm per rad; 0 without an intersection
 
-  /// Does another reading check it? Its redundancy exceeds rounding error.
+  /// Does another reading check this one? If so, the redundancy exceeds rounding error.
   bool isChecked() const { return redundancy >= 1e-9; }
   /// The standardised residual w = v/(s0 σ √r) at noise `scale` times (s0 > 0) the stated one: of variance 1
   /// if the reading is sound (Baarda 1968). NaN if no other reading checks it.

@@ -303,7 +303,7 @@ bool JointProblem::takesPart(std::size_t arc, std::size_t sighting, ReadingKind 
   return !std::ranges::binary_search(m_without, std::tuple(arc, sighting, kind), {}, placeOf);
 }
 
-/// Jets as short as the terms allow; a perfect instrument is differentiated with respect to its target only.
+/// Calls `function` with the shortest jets that have the derivatives of all terms.
 template <typename Function>
 auto JointProblem::withJets(const Function& function) const {
   if (m_terms.empty()) return function(ArcJets<ArcTerms::None>());

@@ -94,9 +94,9 @@ const std::vector<ErrorTerm>& everyTerm();
 Linearised linearise(const Measurement& measurement, const JointFit& fit, const JointFitOptions& options = {},
                      const std::vector<ErrorTerm>& terms = everyTerm());
 
-/// Linearises readings on these circles, one for each arc, such as planned ones, which need no fit. Delivers
-/// pieces of whole visits, each as if the other readings were excluded: all equations of a large plan would
-/// fill the memory.
+/// Linearises readings, such as planned ones, on these circles, one for each arc, without a fit. Delivers
+/// pieces of whole visits, each as if the other readings were excluded, since all equations of a large plan
+/// would fill the memory.
 void linearise(const Measurement& measurement, const std::vector<Circle>& circles,
                const JointFitOptions& options, const std::vector<ErrorTerm>& terms,
                const std::function<void(const Linearised& piece)>& take);

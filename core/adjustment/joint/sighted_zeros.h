@@ -15,8 +15,8 @@ namespace alidade {
 //
 // with M and e0 unknown: common to all positions, or one for each position if its zero is not a common mark.
 
-/// Do the zeros sight one mark? The session may state it. Otherwise they do, unless all are written
-/// identically and may be a single sighting. A circle whose zeros differ by more than 1° was reset,
+/// Are the zeros of all positions one mark? The session may state this. Otherwise they are, unless all are
+/// written identically and may be a single sighting. A circle whose zeros differ by more than 1° was reset,
 /// and has no common zero.
 CommonZeros commonZeros(const Measurement& measurement);
 
@@ -28,14 +28,14 @@ bool areZerosInDoubt(const Measurement& measurement);
 /// are common, all readings count from one zero. The rows keep their places.
 Measurement withZerosSighted(Measurement measurement);
 
-/// Removes these sightings, or inserts them again at the moments that `setMoments` gave the zeros.
+/// Remove the sightings of zeros, and insert them again at the moments that `setMoments` gave the zeros.
 void leaveOutZeros(Measurement& measurement);
 void putInZeros(Measurement& measurement);
 
 /// The stated σ of a reading of either circle, or of one sighting of a zero. That of a zero is at least 1e-9
 /// rad, as a smaller σ would outweigh all other observations.
 Angle sigmaOf(const Measurement& measurement, const Sighting& sighting, bool isVertical);
-/// The same for any reading, including the slider's.
+/// The stated σ of any reading, including the slider's.
 Angle sigmaOf(const Measurement& measurement, const ReadingRef& reading);
 
 }  // namespace alidade

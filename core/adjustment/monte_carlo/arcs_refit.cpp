@@ -61,8 +61,8 @@ class ArcsRefit : public Refit {
   }
 
  private:
-  /// The mean readings of every visit plus their drawn noise. That of the horizontal zero is common to all a;
-  /// `refitArc` adds that of the vertical zero.
+  /// Fills the mean readings of every visit plus their drawn noise. The noise of the horizontal zero is the
+  /// same for all a; `refitArc` adds the noise of the vertical zero.
   void takeReadings(std::size_t arc, std::span<const Draw> draws) {
     const Measurement& read = m_task.fitted;
     const VisitColumns& visits = m_arcs[arc];

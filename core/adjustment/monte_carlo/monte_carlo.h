@@ -14,9 +14,9 @@ namespace alidade {
 
 // Checks the linear budget by propagating distributions (JCGM 101:2008). Each draw takes every input from its
 // distribution about the value read, and fits again. The inputs are readings, both pointing zeros of each
-// position, the distance and, if known, the radius. The draws use the fast fit of arcs if these are
-// independent; else the forward model to second order about the fit, if that agrees with general fits to a
-// thousandth of σ; else the general fits. The fast refits therefore agree with the general ones to that
+// position, the distance and, if known, the radius. If the arcs are independent, the draws use the fast
+// fit of arcs. Otherwise they use the forward model to second order about the fit, if this model agrees with
+// general fits to a thousandth of σ, else the general fits. So all refits agree with the general ones to that
 // accuracy.
 //
 // Zeros, distance, radius and the priors of estimated effects are normal with their stated σ. Readings, and

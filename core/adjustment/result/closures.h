@@ -25,7 +25,7 @@ struct Closure {
     Repeat,         ///< Δx, Δy or R of a repeated position minus that of the first at its axis
     Reference,      ///< Δd minus the reference
     ZeroAzimuth,    ///< α0 of a later position minus that of the first, as a length at the distance L
-    ZeroElevation,  ///< the same of the zeros' elevations, up positive
+    ZeroElevation,  ///< likewise for the elevations of the zeros, up positive
   };
 
   Of of = Of::Radius;

@@ -12,10 +12,10 @@
 namespace alidade {
 
 // The situation: readings are being taken, and the next visit is known by its point, round and face. What
-// will the circles read? The slider returns to earlier marks in another round, face or position: its
-// coordinate s is that of earlier readings of the same point or, for a new point, on the line through the
-// known ones. The arc is the fitted one of the position, else that of another position, else the nominal one
-// about the middle of the field. The instrument is assumed perfect: good enough for pointing and for
+// will the circles read? The slider returns to earlier marks in another round, face or position. So its
+// coordinate s follows from earlier readings of the same point; for a new point, from the line through the
+// known points. The arc is the fitted one of the position, else that of another position, else the nominal
+// one about the middle of the field. The instrument is assumed perfect: good enough for pointing and for
 // detecting typing errors, not for judging a reading.
 
 /// One row that is still to be read.

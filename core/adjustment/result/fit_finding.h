@@ -39,7 +39,7 @@ struct RadiusPoorlyKnown {
 struct RadiusFarFromNominal {
   double fitted = 0, nominal = 0;
 };
-/// Groups of rows with the same pair of readings: the first row, then each other one, in order.
+/// Pairs of rows with the same two circle readings: the first such row and a further one, in order.
 struct ReadingsRepeat {
   std::vector<std::pair<std::size_t, std::size_t>> rows;
 };

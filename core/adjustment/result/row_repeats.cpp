@@ -35,7 +35,7 @@ Mark markOf(const Sighting& row) {
 
 using IndexPair = std::pair<std::size_t, std::size_t>;
 
-/// Pairs of sightings with the same readings: the first of a group with each other one, in order.
+/// Pairs of sightings with the same readings: the first of a group and each further one, in order.
 std::vector<IndexPair> alikeIn(const ArcMeasurement& arc) {
   FirstIndices<Circles> firsts;
   std::vector<IndexPair> alike;

@@ -41,7 +41,7 @@ std::vector<EstimatedTerm> termsOf(const std::vector<const Effect*>& effects) {
   return terms;
 }
 
-/// Takes circle, residuals and misfit of every arc from the joint adjustment; `scale`: s0.
+/// Copies circle, residuals and misfit of every arc from the joint adjustment; `scale`: s0.
 void takeOver(std::vector<ArcFit>& arcs, const JointFit& joint, double scale) {
   std::vector<double> squares(arcs.size());
   for (const AdjustedReading& reading : joint.readings) {

@@ -12,7 +12,7 @@ namespace alidade {
 // The situation: a device was measured at two epochs. Is it still the same? The numbers of both fits are
 // vectors x₁ and x₂ with their full covariances, and no reading is in both:
 //
-//   d = x₂ − x₁, C = C₁ + C₂, T = dᵀ C⁻¹ d, T/m as F(m, f)
+//   d = x₂ − x₁, C = C₁ + C₂, T = dᵀ C⁻¹ d, T/m ~ F(m, f)
 //
 // (Pelzer 1971). O1 and O2 refer to the theodolite; they can be compared only between set-ups in the same
 // place. (O1 − O2)/2 and the radii belong to the device.

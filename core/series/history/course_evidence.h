@@ -12,7 +12,7 @@ namespace alidade {
 // How probable each course of the values is (`Course`). With ū the median of the stated u:
 //
 // - Every course has the noise s u, with one s for all values: s = 1 with prior probability 0.7, else above
-//   it, with the density 1/s². So values that scatter more than stated do not pass for a series of steps. If
+//   it, with the density 1/s². So values that scatter more than stated do not look like a series of steps. If
 //   a part of u may be absent, this 0.7 is spread uniformly in log s from its smallest value to 1.
 // - The size of a change (a step, a trend's change over all dates, an odd value's deviation, the wandering
 //   over all dates) has a Cauchy distribution of scale 3 s ū.

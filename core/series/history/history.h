@@ -109,7 +109,7 @@ struct History {
   std::vector<CourseProbability> courses;  ///< the most probable first; empty for fewer than three dates
   Course course = Course::Constant;        ///< the reported one
   std::vector<HistoryStep> steps;          ///< if steps are reported
-  std::vector<double> levels;              ///< between the steps, one more than these
+  std::vector<double> levels;              ///< before, between and after the steps
   std::optional<HistoryTrend> trend;       ///< always fitted; absent if all values have one date
   std::optional<std::size_t> oddValue;     ///< if one is reported
   double scatter = 1;                      ///< s about the reported course; scales the u of steps and rates

@@ -32,7 +32,7 @@ std::optional<double> dayOf(int year, int month, int day) {
   return dayOf(date);
 }
 
-/// Groups of digits separated by one sign, the same throughout.
+/// Groups of digits, all separated by the same sign.
 struct Parts {
   std::vector<int> numbers;
   std::vector<std::size_t> lengths;

@@ -152,7 +152,7 @@ class Reader {
         row.cells, [](const CsvCell& cell) { return parseHistoryDate(cell.text) || parseValue(cell.text); });
   }
 
-  /// Takes a row of column names; of several before the first values, the last one counts.
+  /// Reads a row of column names; of several such rows before the first values, the last one counts.
   void readHead(const CsvRow& row) {
     m_columns = {};
     m_names.clear();
@@ -262,7 +262,7 @@ class Reader {
 
   static std::string displayedU(double sigma) { return shortestText(sigma); }
 
-  /// Is it a row such as 2001,3,25,0,12, whose numbers cannot be separated?
+  /// Is the row like 2001,3,25,0,12, where commas separate columns or are decimal signs?
   bool hasCommasInNumbers(const CsvRow& row) const {
     constexpr std::size_t pieces = 5;
     return row.cells.size() == pieces && (m_names.empty() || m_names.size() < pieces) &&

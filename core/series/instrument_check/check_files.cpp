@@ -46,8 +46,8 @@ TableLayout layoutOf(const Recognised& recognised, AngleUnit unit) {
   return layout;
 }
 
-/// Returns the misclosure of the two faces of a target, degrees: of the vertical readings on a full turn or,
-/// without these, of the horizontal ones on half a turn.
+/// Returns the misclosure of the two faces of a target, degrees. The vertical readings of both faces add up
+/// to a full turn; the horizontal ones differ by half a turn.
 double openingOf(double before, double after, bool isVertical) {
   const Angle sum = Angle::fromDegrees(isVertical ? after + before : after - before - 180);
   return std::abs(wrapped(sum).degrees());
@@ -283,7 +283,7 @@ class CheckFiles {
     return std::nullopt;
   }
 
-  /// Takes a sighting; the result says why its line cannot be used.
+  /// Adds a sighting to the result, or returns the reason why its line cannot be used.
   std::optional<LineProblem> takeSighting(const RecordedSighting& sighting, bool countsFromZero) {
     const Reading& row = sighting.row;
     const auto refuse = [&](const RowField& field, const std::string& why) {
@@ -328,7 +328,7 @@ class CheckFiles {
     return face == 1 || face == 2 ? std::optional(face) : std::nullopt;
   }
 
-  /// Compares the face stated in the file with that of the circle, which decides.
+  /// Counts a stated face that differs from `face`, the face that the vertical circle shows and that is used.
   void noteFace(const std::string& stated, bool countsFromZero, int face) {
     if (stated.empty()) return;
     if (statedFace(stated, countsFromZero) != face) ++m_otherFaces;

@@ -79,7 +79,7 @@ class StationPlausibility {
         first->lines, quotation(first->target));
   }
 
-  /// A target whose place differs from that in the first round.
+  /// The sentence on a target whose place differs from its place in the first round.
   std::optional<std::string> targetElsewhere() const {
     for (std::size_t round = 1; round < m_station.rounds.size(); ++round) {
       const ObservedRound &before = m_station.rounds.front(), &here = m_station.rounds[round];
@@ -123,7 +123,7 @@ class StationPlausibility {
     return numbers;
   }
 
-  /// The pair with a number that departs from its median over the rounds by more than the bound.
+  /// The sentence on the pair whose number departs from its median over the rounds by more than the bound.
   std::optional<std::string> departure() const {
     using Words = std::pair<PairNumbers, const char*>;
     std::array<Words, 4> kinds{
@@ -186,7 +186,7 @@ class StationPlausibility {
     return std::nullopt;
   }
 
-  /// The size minus three standard uncertainties, as similar targets determine a cause poorly.
+  /// The size of a cause minus three standard uncertainties, as similar targets determine a cause poorly.
   static double certainSize(const TwoCauses& causes) {
     constexpr double uncertainties = 3;
     return std::max(0.0, std::abs(causes.other) - uncertainties * causes.uOther);

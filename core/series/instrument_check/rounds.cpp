@@ -23,7 +23,7 @@ struct Numbered {
   std::vector<std::string> names;  ///< of the rounds
 };
 
-/// Takes the rounds stated in the file; one that recurs after other rounds is a further one.
+/// Numbers the rounds stated in the file. A round that recurs with the same targets counts as a further one.
 void takeStated(Numbered& numbered) {
   struct Seen {
     std::size_t pass = 0, run = 0;

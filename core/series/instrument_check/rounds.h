@@ -57,7 +57,7 @@ struct StationRounds {
   std::string parted = {};               ///< sentence: why these rounds form a separate station; else empty
 };
 
-/// "lines 3 and 6": those of both faces.
+/// The lines of both faces: "lines 3 and 6".
 std::string linesOf(const FacePair& pair);
 
 /// Sorts the readings of each station into rounds and keeps the complete ones. Rounds stated in the file are

@@ -256,7 +256,7 @@ class StationEvaluation {
       widenByTargets();
   }
 
-  /// Takes u from the differences between targets, with t − 1 degrees of freedom.
+  /// Computes u of c from the differences between targets, with t − 1 degrees of freedom.
   void widenByTargets() {
     double squares = 0;
     for (const TargetMean& target : m_check.perTarget)

@@ -48,13 +48,13 @@ struct EffectBlock {
   }
 };
 
-/// Every effect with every possible owner and, if owners or sessions are few, with a size for each of them;
-/// then every pattern of time and of owners with at least three sessions. An effect of the user's own is only
+/// Every effect with every possible owner; if owners or sessions are few, also with a size for each of them.
+/// Then every pattern of time and of owners with at least three sessions. An effect of the user's own is only
 /// in sessions that have it. The columns must outlive the blocks.
 std::vector<EffectBlock> effectBlocks(const SharedColumns& columns, const std::vector<SessionOwners>& owners,
                                       const std::vector<std::string>& leftOut);
 
-/// The block with a drifting size; without sessions unless linear, of one size, and in four or more sessions.
+/// The block with a drifting size; empty unless `block` is a linear effect of one size in ≥ 4 sessions.
 EffectBlock drifting(const EffectBlock& block, const std::vector<SessionOwners>& owners);
 
 /// Prior odds of an effect; its owners share them equally.

@@ -19,7 +19,7 @@ struct SeriesConclusion {
   std::vector<double> ownChance;
 };
 
-/// `evidence` is that of at least one session, with the same columns for all.
+/// `evidence`: of at least one session; all sessions have the same columns.
 SeriesConclusion concludeSeries(const std::vector<SessionEvidence>& evidence,
                                 const std::vector<SessionOwners>& owners,
                                 const std::vector<std::string>& names,

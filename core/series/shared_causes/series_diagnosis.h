@@ -37,7 +37,7 @@ struct SharedRival {
 };
 
 struct SharedCause {
-  Cause cause;  ///< its size; if this differs between sessions, that in the last one
+  Cause cause;  ///< with its size; if sizes differ, with the size in the last session
   CauseOwner owner = CauseOwner::Time;
   std::string serial = {};                 ///< of the owner; empty if it has none, or for effects of time
   std::vector<std::size_t> sessions = {};  ///< indices of the sessions in which it acts

@@ -43,7 +43,8 @@ double SessionSums::logOdds(std::size_t account) const {
   const OwnAccount& own = m_evidence->accounts[account];
   if (m_noise == 1) return own.logOdds;
   if (own.noisy && own.noise <= m_noise) return own.logOdds - 1e3;  // `m_noise` includes its larger noise
-  // The account's reduction of χ² counts at `m_noise`; larger noise loses the gain of `m_noise` itself.
+  // The account's reduction of χ² counts at `m_noise`. An account of larger noise counts without the part
+  // of its gain that `m_noise` already has.
   const double gained = (m_evidence->chiSquare - own.chiSquare) / 2;
   if (!own.noisy) return own.logOdds - gained + gained / variance(account);
   return own.logOdds - m_evidence->chiSquare / 2 * (1 - 1 / (m_noise * m_noise)) +

@@ -275,8 +275,8 @@ bool SharedSearch::mayTake(const SharedSet& set, const EffectBlock& block) const
 }
 
 /// Returns the effects, and separately the patterns, with the largest gain in addition to the set. They are
-/// sought with misread values and noise as the only own causes, and again with the set's accounts: an effect
-/// that is visible in each session may also be an account of each.
+/// sought with misread values and noise as the only own causes, and again with the set's accounts. The reason
+/// is that an effect visible in each session may also be an account of each session.
 std::vector<SharedSearch::Growth> SharedSearch::promising(const SharedSet& set) const {
   constexpr std::size_t most = 6, mostPatterns = 3;
   std::vector<Growth> all;

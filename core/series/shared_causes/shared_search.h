@@ -39,7 +39,7 @@ struct SharedSet {
   double chance = 0;                       ///< 0…1, among the sets found
   Eigen::MatrixXd covariance = {};         ///< of z of all parts, concatenated
 
-  /// Does it contain an uncatalogued pattern?
+  /// Does the set contain an uncatalogued pattern?
   bool isShaped() const {
     return std::ranges::any_of(parts, [](const SharedPart& part) { return part.block.isPattern(); });
   }
