@@ -13927,7 +13927,7 @@ a clause as a sentence</extracomment>
         <translation>未绘制：%1 个超出 ±%2</translation>
     </message>
     <message>
-        <source>number per class %1 wide</source>
+        <source>number in classes of %1</source>
         <translation>区间宽 %1 内的个数</translation>
     </message>
     <message>

@@ -278,7 +278,7 @@ TEST(Load, WhatFollowsAFitStopsWhenTold) {
   open.waitUntilIdle();
   EXPECT_TRUE(wasSearching);
   EXPECT_TRUE(open->gapJob().isIdle());
-  EXPECT_TRUE(open->statusBar()->currentMessage().startsWith(QStringLiteral("Stopped")));
+  EXPECT_TRUE(open->statusBar()->currentMessage().endsWith(QStringLiteral("was stopped.")));
   QTest::qWait(GapJob::restMilliseconds + 100);
   EXPECT_FALSE(isSearched || isAssessed);
   QObject::disconnect(&open->job(), nullptr, &context, nullptr);

@@ -223,7 +223,7 @@ TEST(Import, KeepsAZeroThatWasGiven) {
   const Import import =
       imported(gsiOf("0", "33232500", "08959580") + gsiOf("1", "34152240", "08816490"), options);
   EXPECT_EQ(import.session.positions.at(0).zero.horizontal, "332°");
-  EXPECT_THAT(import.remarks, Contains(HasSubstr("that of line 1 is not used")));
+  EXPECT_THAT(import.remarks, Contains(HasSubstr("the sighting in line 1 is not used")));
 }
 
 TEST(Import, NumbersPointsWithNamesInEachPosition) {

@@ -40,7 +40,7 @@ TEST(SessionFindingsInWords, BlameEffectsOnlyWhereThereAreAny) {
 TEST(SessionFindingsInWords, QuoteWhatIsNoEffect) {
   EXPECT_THAT(wordsOf(UnknownEffect{"moon\x1blight"}).text, HasSubstr("“moon\\u001blight”, which is no"));
   EXPECT_EQ(wordsOf(KnownOfNothing{"plane_tilt", "x", "mm"}).text,
-            "The known size of “plane_tilt”, “x”, in “mm” matches no entry of the catalogue.");
+            "The known size of “plane_tilt” (“x”) in “mm” matches no entry of the catalogue.");
 }
 
 }  // namespace

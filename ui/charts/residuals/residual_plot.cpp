@@ -244,7 +244,7 @@ std::vector<LegendEntry> ResidualPlot::classEntries() const {
   std::vector<LegendEntry> entries;
   entries.push_back(
       {style().band,
-       tr("number per class %1 wide").arg(unitText(plainNumberText(m_classes.histogram.width)))});
+       tr("number in classes of %1").arg(unitText(plainNumberText(m_classes.histogram.width)))});
   if (m_classes.curve.isEmpty()) return entries;
   QStringList sigmas;
   for (const StatedNoise& noise : m_noise) {
