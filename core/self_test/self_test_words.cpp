@@ -28,7 +28,7 @@ std::string titleOf(CheckGroup group) {
     case CheckGroup::Window:
       break;
   }
-  return Phrase::of("Contents built into the window, and its fonts");
+  return Phrase::of("Contents built into the desktop program, and its fonts");
 }
 
 std::string outcomeText(SelfCheck::Outcome outcome) {

@@ -129,7 +129,8 @@ std::shared_ptr<const OwnEffects> examineOwnEffects(const std::vector<OwnEffect>
     };
     constexpr std::size_t mostRead = 20;
     if (i == mostRead) {
-      refuse({Phrase::of("is one effect too many: a session may have %1", mostRead), {.field = "id"}});
+      refuse(
+          {Phrase::of("is one effect too many: a session may have at most %1", mostRead), {.field = "id"}});
       break;
     }
     Result<Formula> formula = soundFormula(effects[i]);
@@ -139,9 +140,9 @@ std::shared_ptr<const OwnEffects> examineOwnEffects(const std::vector<OwnEffect>
     } else if (std::ranges::find(entries, id, &OwnEntry::id) != entries.end()) {
       refuse({Phrase::of("is used by another effect of the session: choose another one"), {.field = "id"}});
     } else if (ofGuideway + ofCircles + formula->amplitudes.size() > mostOwnTerms) {
-      refuse(
-          {Phrase::of("has too many amplitudes: a session's own effects may have %1 together", mostOwnTerms),
-           {.field = "formula"}});
+      refuse({Phrase::of("has too many amplitudes: a session's own effects may have at most %1 together",
+                         mostOwnTerms),
+              {.field = "formula"}});
     } else {
       OwnEntry& own = entries.emplace_back(OwnEntry{effects[i], id, *std::move(formula)});
       for (const FormulaAmplitude& amplitude : own.formula.amplitudes)

@@ -207,8 +207,9 @@ class FormulaMaker {
 
   Result<Formula, FormulaFault> make() {
     if (m_text.size() > longestFormula)
-      return FormulaFault{longestFormula, m_text.size() - longestFormula,
-                          Phrase::of("The formula is too long: it may have %1 characters.", longestFormula)};
+      return FormulaFault{
+          longestFormula, m_text.size() - longestFormula,
+          Phrase::of("The formula is too long: it may have at most %1 characters.", longestFormula)};
     const auto statements = formulaStatements(m_text);
     if (!statements) return statements.problem();
     for (const FormulaStatement& statement : *statements)

@@ -114,8 +114,9 @@ class ExpressionReader {
     const auto length = static_cast<std::size_t>(end - (m_text.data() + m_next));
     constexpr double largest = 1e15;
     if (error != std::errc() || !(value <= largest))
-      return refuse(std::max<std::size_t>(length, 1),
-                    Phrase::of("This is no valid number: type one up to 10^15 with a decimal point."));
+      return refuse(
+          std::max<std::size_t>(length, 1),
+          Phrase::of("This is no valid number: type one up to 10^15, with a point as decimal sign."));
     if (!beginOperand(length)) return;
     m_next += length;
     const std::size_t behind = m_next;

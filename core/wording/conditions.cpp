@@ -48,12 +48,12 @@ std::string rowsText(const std::vector<Dependence>& dependences, Verdict without
   return Phrase::of("%1 without %2", verdictText(without), listed(rows, Phrase::of(" or ")));
 }
 
-/// "misread values at 0°, point 5, vertical", "trunnion tilt other than known". The place is added only if
-/// the cause has exactly one reading.
+/// "misread values at 0°, point 5, vertical", "trunnion tilt different from its known value". The place is
+/// added only if the cause has exactly one reading.
 std::string causeWithPlace(const Cause& cause) {
   std::string name = causeName(cause.effect);
-  //: a known size of an effect that the readings contradict: "trunnion tilt other than known"
-  if (cause.isStale) name = Phrase::of("%1 other than known", name);
+  //: a known size of an effect that the readings contradict: "trunnion tilt different from its known value"
+  if (cause.isStale) name = Phrase::of("%1 different from its known value", name);
   return cause.readings.size() == 1 ? Phrase::of("%1 at %2", name, readingName(cause.readings.front()))
                                     : name;
 }

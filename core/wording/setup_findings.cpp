@@ -13,7 +13,7 @@ using namespace setup_finding;
 namespace {
 
 std::string sideOf(int axisDeg) {
-  return axisDeg == 0 ? Phrase::of("at 0° below") : Phrase::of("at %1° above", axisDeg);
+  return axisDeg == 0 ? Phrase::of("below (at 0°)") : Phrase::of("above (at %1°)", axisDeg);
 }
 
 }  // namespace

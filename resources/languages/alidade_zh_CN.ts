@@ -1721,7 +1721,7 @@ Sealed by:</source>
     </message>
     <message>
         <source>the vertical circle has an index error</source>
-        <translation>竖直度盘的指标有偏差</translation>
+        <translation>竖直度盘存在指标差</translation>
     </message>
     <message>
         <source>index</source>
@@ -3220,11 +3220,11 @@ Sealed by:</source>
         <translation>请将竖直角的关系式设为“精确”（exact），除非要研究平面关系式。</translation>
     </message>
     <message>
-        <source>at 0° below</source>
+        <source>below (at 0°)</source>
         <translation>0° 时在下方</translation>
     </message>
     <message>
-        <source>at %1° above</source>
+        <source>above (at %1°)</source>
         <translation>%1° 时在上方</translation>
     </message>
     <message>
@@ -3468,8 +3468,8 @@ Sealed by:</source>
         <translation>这些读数刚好确定圆弧。请录入更多读数：每个读数都检核模型。</translation>
     </message>
     <message>
-        <source>is no record of unsaved changes</source>
-        <translation>不是未保存更改的记录</translation>
+        <source>is not a file of unsaved changes</source>
+        <translation>不是未保存更改的文件</translation>
     </message>
     <message>
         <source>There is no sample of this name</source>
@@ -3641,8 +3641,8 @@ title of a column and its cell: &quot;cannot be told from: gravity sag&quot;</ex
         <translation>视线偏离竖轴 e 时表现为 e/D，看起来像照准差；这些距离（%1 至 %2）无法区分：半毫米在最近目标处为 %3，只相当于 %4 个标准不确定度。</translation>
     </message>
     <message>
-        <source>The difference of the faces does not depend on the distance: the line of sight is %1 off the axis.</source>
-        <translation>两个盘位之差不随距离变化：视线偏离竖轴 %1。</translation>
+        <source>The difference of the faces does not depend significantly on the distance: the line of sight is %1 off the axis.</source>
+        <translation>两个盘位之差不随距离显著变化：视线偏离竖轴 %1。</translation>
     </message>
     <message>
         <source>The circle was reset between rounds, so a drift of the orientation between them does not show.</source>
@@ -4551,7 +4551,7 @@ title of a column and its cell: &quot;cannot be told from: gravity sag&quot;</ex
     </message>
     <message>
         <source>%1 is no version of a measurement protocol: it must be %2</source>
-        <translation>%1 不是测量方案的版本：应为 %2</translation>
+        <translation>%1 不是测量方案的版本：必须是 %2</translation>
     </message>
     <message>
         <source>add the list of the positions of the axis, in their order</source>
@@ -4854,8 +4854,8 @@ title of a column and its cell: &quot;cannot be told from: gravity sag&quot;</ex
         <translation>与程序一同安装的文件</translation>
     </message>
     <message>
-        <source>Contents built into the window, and its fonts</source>
-        <translation>窗口自身包含的内容及其字体</translation>
+        <source>Contents built into the desktop program, and its fonts</source>
+        <translation>桌面程序内置的内容及其字体</translation>
     </message>
     <message>
         <source>passed</source>
@@ -4942,8 +4942,8 @@ title of a column and its cell: &quot;cannot be told from: gravity sag&quot;</ex
         <translation>第 %1 条早于其前一条：时钟曾被回拨，或其中一条的时间被更改。</translation>
     </message>
     <message>
-        <source>is no record of unfinished entries</source>
-        <translation>不是未提交录入内容的记录</translation>
+        <source>is not a file of unfinished entries</source>
+        <translation>不是未提交录入内容的文件</translation>
     </message>
     <message>
         <source>is a pipe or a device: choose a file</source>
@@ -5746,7 +5746,7 @@ title of a column and its cell: &quot;cannot be told from: gravity sag&quot;</ex
     </message>
     <message>
         <source>%1 is no version of an effect file: it must be %2</source>
-        <translation>%1 不是效应文件的版本：应为 %2</translation>
+        <translation>%1 不是效应文件的版本：必须是 %2</translation>
     </message>
     <message>
         <source>is no plausible size: type a number above 0</source>
@@ -5769,7 +5769,7 @@ title of a column and its cell: &quot;cannot be told from: gravity sag&quot;</ex
         <translation>已用于测量记录中的另一效应：请换一个</translation>
     </message>
     <message>
-        <source>has too many amplitudes: a session&apos;s own effects may have %1 together</source>
+        <source>has too many amplitudes: a session&apos;s own effects may have at most %1 together</source>
         <translation>幅值过多：一份测量记录的自定义效应总共最多 %1 个</translation>
     </message>
     <message>
@@ -5778,7 +5778,7 @@ title of a column and its cell: &quot;cannot be told from: gravity sag&quot;</ex
         <translation>第 %1 行第 %2 列：%3</translation>
     </message>
     <message>
-        <source>The formula is too long: it may have %1 characters.</source>
+        <source>The formula is too long: it may have at most %1 characters.</source>
         <translation>公式过长：最多 %1 个字符。</translation>
     </message>
     <message>
@@ -5842,7 +5842,7 @@ title of a column and its cell: &quot;cannot be told from: gravity sag&quot;</ex
         <translation>%1 之前缺少运算符，例如 *。</translation>
     </message>
     <message>
-        <source>This is no valid number: type one up to 10^15 with a decimal point.</source>
+        <source>This is no valid number: type one up to 10^15, with a point as decimal sign.</source>
         <translation>这不是有效的数：请输入不大于 10^15 的数，小数点用句点。</translation>
     </message>
     <message>
@@ -5930,7 +5930,7 @@ title of a column and its cell: &quot;cannot be told from: gravity sag&quot;</ex
         <translation>%1 在 %2 之内时模型成立：此处该形式小于一个读数的 σ。</translation>
     </message>
     <message>
-        <source>is one effect too many: a session may have %1</source>
+        <source>is one effect too many: a session may have at most %1</source>
         <translation>效应过多：一份测量记录最多 %1 个</translation>
     </message>
     <message>
@@ -6621,8 +6621,8 @@ Includes every catalogued effect, limited by these readings or by its plausible 
         <translation>已改变</translation>
     </message>
     <message>
-        <source>differs</source>
-        <translation>不同</translation>
+        <source>not congruent</source>
+        <translation>不全等</translation>
     </message>
     <message>
         <source>O1 and O2 refer to the theodolite: compare them only between set-ups on the same pillar.</source>
@@ -7212,7 +7212,7 @@ Includes every catalogued effect, limited by these readings or by its plausible 
     </message>
     <message>
         <source>Possible explanations</source>
-        <translation>可能的情况</translation>
+        <translation>可能的解释</translation>
     </message>
     <message>
         <source>Before the end, sight %1: an effect of time shows only if an early place is sighted again.</source>
@@ -7227,7 +7227,7 @@ Includes every catalogued effect, limited by these readings or by its plausible 
         <translation>无论存在何种效应，Δd 的 U 已低于 %1 mm。</translation>
     </message>
     <message>
-        <source>For U = %1 mm of Δd, whatever effect is present: %2 more sightings in %3 min.</source>
+        <source>U = %1 mm of Δd, whatever effect is present, needs %2 more sightings and %3 min.</source>
         <translation>要使 Δd 的 U 在任何效应下达到 %1 mm：还需照准 %2 次，共 %3 min。</translation>
     </message>
     <message>
@@ -7830,8 +7830,8 @@ Includes every catalogued effect, limited by these readings or by its plausible 
         <translation>在此无法检出，也不在 U 之内，但其合理大小使 Δd 的改变超过 U：%1</translation>
     </message>
     <message>
-        <source>%1 other than known</source>
-        <extracomment>a known size of an effect that the readings contradict: &quot;trunnion tilt other than known&quot;</extracomment>
+        <source>%1 different from its known value</source>
+        <extracomment>a known size of an effect that the readings contradict: &quot;trunnion tilt different from its known value&quot;</extracomment>
         <translation>与已知值不同的%1</translation>
     </message>
     <message>
@@ -9388,7 +9388,7 @@ a clause as a sentence</extracomment>
     </message>
     <message>
         <source>A settling tripod</source>
-        <translation>三脚架沉降</translation>
+        <translation>三脚架趋于稳定</translation>
     </message>
     <message>
         <source>A form in time: only the first quarter deviates</source>
@@ -14142,7 +14142,7 @@ a clause as a sentence</extracomment>
     </message>
     <message>
         <source>Double click opens a session in the main window</source>
-        <translation>双击在主窗口中打开测量记录</translation>
+        <translation>双击可在主窗口中打开测量记录</translation>
     </message>
     <message>
         <source>Sessions read</source>

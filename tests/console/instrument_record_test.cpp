@@ -65,7 +65,7 @@ TEST(InstrumentOption, IsSaidInTextToo) {
   EXPECT_THAT(diagnosis.out, HasSubstr("the known size is out of date"));
   const ProgramRun fit = alidadeCli({"fit", tilted, "--instrument", record});
   EXPECT_EQ(fit.exitCode, 0) << fit.err;
-  EXPECT_THAT(fit.out, HasSubstr("best explained by trunnion tilt other than known (9"));
+  EXPECT_THAT(fit.out, HasSubstr("best explained by trunnion tilt different from its known value (9"));
 }
 
 TEST(InstrumentOption, SaysThatTheNextCheckIsOverdue) {

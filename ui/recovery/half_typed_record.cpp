@@ -59,7 +59,7 @@ std::string halfTypedRecordText(const HalfTypedRecord& record) {
 Result<HalfTypedRecord> readHalfTypedRecord(const std::string& bytes) {
   const QJsonObject json = QJsonDocument::fromJson(QByteArray::fromStdString(bytes)).object();
   if (json.value(QLatin1String("format")).toString() != typedFormatName)
-    return Problem{Phrase::of("is no record of unfinished entries")};
+    return Problem{Phrase::of("is not a file of unfinished entries")};
   HalfTypedRecord record{.of = json.value(QLatin1String("of")).toString(), .texts = {}};
   for (const QJsonValue& typed : json.value(QLatin1String("texts")).toArray())
     record.texts.push_back(typedOf(typed.toObject()));

@@ -30,7 +30,7 @@ Result<RecoveryRecord> readRecovery(const std::string& bytes) {
   const QByteArray line = QByteArray::fromStdString(bytes.substr(0, end));
   const QJsonObject head = QJsonDocument::fromJson(line).object();
   if (end == std::string::npos || head.value(formatKey).toString() != formatName)
-    return Problem{Phrase::of("is no record of unsaved changes")};
+    return Problem{Phrase::of("is not a file of unsaved changes")};
   Result<Session> session = readSession(std::string_view(bytes).substr(end + 1));
   if (!session) return session.problem();
   const auto text = [&head](const char* key) { return head.value(QLatin1String(key)).toString(); };

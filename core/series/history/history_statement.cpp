@@ -68,7 +68,7 @@ std::string nameOf(const std::string& typedName, const std::string& typedSerial,
 
 std::string changeText(const Congruence& congruence) {
   if (congruence.hasChanged) return Phrase::of("changed");
-  return congruence.device && congruence.device->chance < leastChance ? Phrase::of("differs") : "";
+  return congruence.device && congruence.device->chance < leastChance ? Phrase::of("not congruent") : "";
 }
 
 /// The O1 and O2 of sessions on different pillars cannot be compared.

@@ -231,8 +231,8 @@ class StationFindings {
                             withU(sight.other, sight.uOther, " mm"), probability(sight.pValue),
                             arcsec(shownAt(m_station.nearestM, sight.other)), metresText(m_station.nearestM),
                             collimation()));
-    add(Severity::Note, Phrase::of("The difference of the faces does not depend on the distance: the line of "
-                                   "sight is %1 off the axis.",
+    add(Severity::Note, Phrase::of("The difference of the faces does not depend significantly on the "
+                                   "distance: the line of sight is %1 off the axis.",
                                    withU(sight.other, sight.uOther, " mm")));
   }
 

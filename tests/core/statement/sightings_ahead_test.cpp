@@ -24,7 +24,7 @@ TEST(SightingsAheadStatement, JoinsTheSightingsOfAPlace) {
   EXPECT_THAT(statement.rows[0].cells, ElementsAre("0°", "4", "6", "5, 9 (2×); face 2: 9"));
   EXPECT_THAT(statement.rows[1].cells, ElementsAre("180°", "2", "3", "face 2: 1 (2×)"));
   EXPECT_THAT(statement.sentences,
-              ElementsAre(HasSubstr("0.1 mm of Δd, whatever effect is present: 6 more")));
+              ElementsAre(HasSubstr("0.1 mm of Δd, whatever effect is present, needs 6 more")));
 }
 
 TEST(SightingsAheadStatement, NamesWhatWouldReachIt) {

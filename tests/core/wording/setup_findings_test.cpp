@@ -18,9 +18,9 @@ TEST(SetupFindingsInWords, NameTheLengthsAsTyped) {
 
 TEST(SetupFindingsInWords, TellOneArcFromBoth) {
   const Words one = wordsOf(PlacesOnTheWrongSide{{180}}), both = wordsOf(PlacesOnTheWrongSide{{0, 180}});
-  EXPECT_THAT(one.text, HasSubstr("Most places lie at 180° above the fitted centre"));
+  EXPECT_THAT(one.text, HasSubstr("Most places lie above (at 180°) the fitted centre"));
   EXPECT_THAT(one.remedy, HasSubstr("the axis of this position"));
-  EXPECT_THAT(both.text, HasSubstr("Most places lie at 0° below and at 180° above the fitted centre"));
+  EXPECT_THAT(both.text, HasSubstr("Most places lie below (at 0°) and above (at 180°) the fitted centre"));
   EXPECT_THAT(both.remedy, HasSubstr("whether the positions are exchanged"));
 }
 
