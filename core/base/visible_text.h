@@ -21,7 +21,7 @@ std::string shortened(std::string_view text, std::size_t most);
 /// User text for a sentence: shortened to 40 characters, in “ ”.
 std::string quotation(std::string_view text);
 
-/// Replaces every byte that is not UTF-8 by \xff; everything else stays.
+/// Replaces every byte that is not UTF-8 by its value as an escape, such as \xff; everything else stays.
 std::string wellFormed(std::string_view text);
 
 }  // namespace alidade

@@ -15,7 +15,7 @@ using Eigen::Index, Eigen::MatrixXd, Eigen::VectorXd;
 
 namespace {
 
-/// Returns an orthonormal basis of the base columns; a column of zeros without base columns.
+/// Returns an orthonormal basis of the base columns; one column of zeros if these are absent or all zero.
 MatrixXd basisOf(const MatrixXd& base) {
   if (base.cols() == 0 || base.isZero()) return MatrixXd::Zero(base.rows(), 1);
   const VectorXd scale = base.colwise().norm().cwiseMax(1e-300).cwiseInverse();

@@ -7,7 +7,7 @@
 
 namespace alidade {
 
-/// Findings about the fit, or reasons for its absence, in sentences; without the suspects.
+/// The findings of the fit, and why the fit or the search for suspects failed, in sentences; no suspects.
 std::vector<Finding> findingsOf(const Evaluation& evaluation);
 
 }  // namespace alidade

@@ -124,8 +124,8 @@ class NameReader {
     m_isHorizontal = any(Role::Horizontal);
   }
 
-  /// Is this a distance such as `slope distance [mm]` or `HD`, of which every word is known? A zenith
-  /// distance is an angle.
+  /// Takes the name of a distance such as `slope distance [mm]` or `HD`; false for other names, and for names
+  /// with an unknown word. A zenith distance is an angle.
   bool takeDistance() {
     if (m_isZenith) return false;
     ColumnName name;

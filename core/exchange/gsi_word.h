@@ -86,7 +86,7 @@ std::optional<GsiPoint> gsiPoint(const GsiWord& word);
 std::variant<ExactAngle, LineProblem> gsiExactAngle(const GsiWord& word, std::size_t line,
                                                     std::optional<GsiPoint> point = {});
 
-/// The text of `gsiExactAngle`.
+/// The angle of `gsiExactAngle` as text.
 std::variant<std::string, LineProblem> gsiAngle(const GsiWord& word, std::size_t line);
 
 /// The length of a word in metres: unit 0 is mm, 1 a thousandth of a foot; 6, 7 and 8 have 4, 4 and 5

@@ -206,7 +206,7 @@ class M5Reader {
     if (m_book.add(std::move(sighting)) && isNamed && m_isSetUp) m_book.note(backsightZero, line);
   }
 
-  /// Reads a point without angles. Code S marks the station, which a program writes before its sightings.
+  /// Reads a point without angles. Code S marks the station, written before the sightings from the station.
   void readPointAlone(const RecordedSighting& point, std::size_t line) {
     const std::string& note = point.row.note;
     const bool isStation = note == "S" || note.ends_with(" S");

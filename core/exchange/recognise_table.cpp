@@ -28,7 +28,7 @@ std::vector<TableCells> rowsOf(std::string_view text, char separator) {
   return beginningOfTable(text, separator, 0).sample;
 }
 
-/// The number of cells in the rows that are angles with decimals or signs.
+/// The number of cells that may be angles and have decimals or signs.
 std::size_t wholeAngles(const std::vector<TableCells>& rows) {
   std::size_t count = 0;
   for (const TableCells& row : rows)

@@ -39,7 +39,8 @@ struct Difference {
   double sigma = 0;  ///< arcseconds
 };
 
-/// Differences from the median above the noise: the stated one, or the observed scatter if larger.
+/// Finds the differences that deviate beyond the noise from their median, or from 0 unless `aboutMedian`. The
+/// noise is the stated one, or the observed scatter if larger.
 std::vector<Repeat> farOnes(const std::vector<Difference>& differences, Repeat::Reason reason,
                             std::optional<ReadingKind> kind, bool aboutMedian) {
   if (differences.empty()) return {};

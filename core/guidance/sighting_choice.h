@@ -12,7 +12,7 @@
 
 namespace alidade {
 
-/// The sighting of a protocol by worth that is to be taken next, and whether those taken are enough.
+/// The next sighting of a protocol by worth (`isByWorth`), and whether the sightings so far are enough.
 struct SightingChoice {
   enum class Reason {
     MostInformative,

@@ -148,7 +148,7 @@ Direction<T> circleDirection(const ErrorTerms<T>& errors, SpacePoint<T> target, 
   const T cosE = sqrt(1 - sinE * sinE);
   T a = atan2(right, forward) + side * atan2(T(sc * ci + cc * sinE * si), T(cc * cosE));
 
-  // So far e follows the exact relation to y. Adds the difference planar − exact, times its share.
+  // Up to here e follows the exact relation to y. Adds planar − exact times the share of the planar relation.
   const T planar = atan2(target.y, T(-target.z));
   const T exact = atan2(target.y, T(sqrt(target.x * target.x + target.z * target.z)));
   const double isPlanar = pointing.relation == VerticalAngleRelation::Planar ? 1 : 0;

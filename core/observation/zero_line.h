@@ -59,7 +59,7 @@ class ZeroLine {
   Direction<double> levelled(const Direction<double>& reduced) const;
   /// y from the horizon, as the kernels count it, minus y relative to the zero line, mm.
   double height() const;
-  /// Are the kernels exact for this plane and elevation?
+  /// Are the kernels of a single arc exact, with `levelled` readings, for this plane and elevation?
   bool isLevelExact() const { return m_plane == ArcPlane::Vertical || m_elevation == 0; }
 
  private:

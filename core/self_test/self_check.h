@@ -21,7 +21,7 @@ struct SelfCheck {
   std::string expected = {}, found = {};
   /// |found − expected|/|expected|, and its limit; absent for values that are not numbers.
   std::optional<double> deviation = {}, tolerance = {};
-  /// English, for `Phrase::of`: the reason for the tolerance, or how it was compared.
+  /// English, for `Phrase::of`: the reason for the tolerance, or how the value was compared.
   const char* reason = "";
   Outcome outcome = Outcome::Failed;
 };

@@ -34,7 +34,7 @@ Switch stateOf(const Measurement& measurement, bool Corrections::*isOn) {
   return on == 0 && unknown == 0 ? Switch::Off : Switch::Mixed;
 }
 
-/// The tilts of all rows as linear equations of tx, tz and the indices of cross and length, arcsec.
+/// All readings of the compensator as linear equations in tx, tz and the indices of cross and length, arcsec.
 class TiltEquations {
  public:
   using Vector = Eigen::Vector4d;
@@ -69,7 +69,7 @@ class TiltEquations {
   /// The index that is larger in size.
   double index() const { return std::abs(m_values[2]) > std::abs(m_values[3]) ? m_values[2] : m_values[3]; }
   double range() const { return m_range; }
-  /// σ of the range due to scatter.
+  /// σ, due to the scatter within arcs, of the range of the tilts between arcs.
   double sigmaOfRange() const { return m_sigmaOfRange; }
   double sigma(int i) const {
     const double ofIndex = hasBothFaces() ? index() : 0;

@@ -118,7 +118,7 @@ FaceMean meanOfFace(const std::vector<FromFirst>& sightings, int face) {
   return meanOf(sightings, [face](const FromFirst& one) { return one.face == face; });
 }
 
-/// The mean change of the faces sighted before and after the readings; absent if there is no such face.
+/// The mean change of the zero in faces sighted before and after the readings; absent without such a face.
 std::optional<ZeroSightings::Move> moveOf(const std::vector<FromFirst>& sightings) {
   ZeroSightings::Move move{.horizontal = {}, .vertical = {}, .factor = 0};
   int faces = 0;

@@ -183,7 +183,7 @@ std::string referenceGiven(const Measurement& measurement) {
              : Phrase::of("%1 mm", reference);
 }
 
-/// The line with E_n = |Δd − reference|/√(U² + U_ref²), the size of E_n in ISO 13528. U_ref is σ of the
+/// The line with the absolute value of E_n (ISO 13528), |Δd − reference|/√(U² + U_ref²). U_ref is σ of the
 /// reference times the coverage factor of Δd, fit only.
 Line referenceLine(const Measurement& measurement, const SessionFit& fit, const IntersectionEstimate& found) {
   const double difference = found.value - *measurement.referenceIntersection;

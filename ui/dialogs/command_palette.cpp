@@ -14,7 +14,7 @@ namespace alidade::ui {
 
 namespace {
 
-/// The text without its Alt mnemonic, the shortcut after a tab, and an ellipsis at the end.
+/// Removes the Alt mnemonic, the shortcut after a tab, and an ellipsis at the end.
 QString plainText(const QString& menuText) {
   QString plain;
   static const QRegularExpression inBrackets(QStringLiteral("\\(&.\\)"));  // mnemonic of Chinese menus

@@ -332,7 +332,7 @@ bool FileFlow::mayDropRedo() {
   return mayDrop(m_dialogs, m_document.unsavedAhead(), Dialogs::Way::Redo);
 }
 
-/// The import may be saved while the session before it is unsaved or no longer saved.
+/// The session before an import, to which undo leads, may be unsaved although the imported one is saved.
 bool FileFlow::mayDropUndo() {
   return mayDrop(m_dialogs, m_document.unsavedBehind(), Dialogs::Way::Undo);
 }

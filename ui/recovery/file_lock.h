@@ -6,8 +6,8 @@
 
 namespace alidade::ui {
 
-/// Shows all windows of one user, in any process, which session files are open. Each open file has a lock
-/// file in one folder. Locks of terminated processes are ignored.
+/// Makes known to every window of one user, in any process, which session files are open. Each open file has
+/// a lock file in one folder. Locks of terminated processes are ignored.
 class FileLock {
  public:
   /// Without a folder nothing is locked, and nothing is found locked.

@@ -10,10 +10,10 @@ namespace alidade::ui {
 /// The name of a row: "row 3 (point 7)". `row` counts from 0, the name from 1.
 QString accessibleRow(std::size_t row, const std::string& point);
 
-/// The common name of a row's field, such as "vertical reading" for `vertical`; else `name`, made visible.
+/// The common name of a row's field, such as "vertical reading"; else `name` with hidden characters visible.
 QString rowFieldName(const std::string& name);
 /// The common name of a field of a position or of the session: "distance L", "model effects", "known size of
-/// the instrument"; else `name`, made visible.
+/// the instrument"; else `name` with hidden characters made visible.
 QString sessionFieldName(const std::string& name);
 
 /// The common name of a place in a session: "0°, row 3 (point 7), vertical reading", "180° again, pointing

@@ -251,8 +251,8 @@ template <typename T>
   const T xx = sums.w - sums.xxw * perSquare, xy = -sums.xyw * perSquare, yy = sums.xxw * perSquare;
   const Step<T> turn = times(q, xx * step.x + xy * step.y, xy * step.x + yy * step.y, T(step.x - step.x));
   // A place linearised at a distance ε from the right point misses the circle by ε²/2R. The error ε/R of its
-  // normal, multiplied by its residual, adds an error of either sign. The geometry enlarges both errors. The
-  // step itself leaves a part of the subtracted rotation and a random part of the residuals.
+  // normal, multiplied by its residual, adds an error of either sign. The geometry enlarges both errors. Two
+  // more remain after the step: part of the subtracted `turn`, and a random part of the residuals, `chance`.
   const T residual = scatter(sums, perSquare);
   const T gain = gainOf(q, sums.one, square);
   const T stepLength = extent(step, perRadius, perSquare), off = stepLength + progress.lag;

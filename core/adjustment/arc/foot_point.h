@@ -34,8 +34,8 @@ struct FootPoint : Foot<double> {
   double phi = 0;  ///< radians
 };
 
-/// Needs R > 0. Iterates to rounding error from the nearest point in the plane, or from a nearby `start`. The
-/// result is always finite.
+/// Minimises |r(φ)|² by iteration to rounding error, from the circle's point nearest to the sighted point, or
+/// from a nearby `start`. Needs R > 0. The result is always finite.
 FootPoint footPoint(const ArcView& view, const ArcUnknowns& unknowns, const VisitReading& visit);
 FootPoint footPoint(const ArcView& view, const ArcUnknowns& unknowns, const VisitReading& visit,
                     FootPoint start);

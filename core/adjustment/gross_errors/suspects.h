@@ -34,7 +34,7 @@ struct Suspect {
   double studentised = 0;           ///< t of the misfit; 0 if the row could not be used in the fit
   std::vector<Place> rivals;        ///< cells that could be at fault instead
   std::vector<Proposal> proposals;  ///< the most probable first; may be empty
-  /// A slip would explain the misfit, but another slip may hide the intended value: no proposal is made.
+  /// A correction was found but is not proposed, since more than one reading may be wrong.
   bool isMasked = false;
 };
 

@@ -81,7 +81,7 @@ class JointProblem {
   VisitEquations equationsOf(const JointState& state, std::size_t visit) const;
   /// Returns the equations of every visit.
   std::vector<VisitEquations> equationsOf(const JointState& state) const;
-  /// Calls `take` with the equations of each visit in turn, in memory for one.
+  /// Calls `take` with the equations of each visit in turn; only those of one visit are in memory.
   void eachVisit(const JointState& state,
                  const std::function<void(std::size_t visit, const VisitEquations&)>& take) const;
   /// `used`: a discarded system whose memory the new one reuses.

@@ -58,8 +58,8 @@ struct Linearised {
   std::array<double, errorTermCount> termValues{};
   /// (∂reading/∂unknown)/σ, a column for each kind of unknown of the reading's own arc.
   ReadingColumns perUnknown;
-  /// (∂reading/∂term)/σ, a column for each `ErrorTerm`: rad, mm or 1 per unit of the term. If the fit has
-  /// no jump, the terms of a jump hold for one before every reading.
+  /// (∂reading/∂term)/σ per unit of the term (rad, mm or 1), a column for each `ErrorTerm`. If the fit has no
+  /// jump, the terms of a jump refer to a jump before every reading.
   ReadingColumns perTerm;
 
   /// Factor on the stated weight of zero readings.

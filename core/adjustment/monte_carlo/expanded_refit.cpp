@@ -32,7 +32,7 @@ constexpr std::size_t fixedSlots = 6, zeroSlots = 2,
                       mostSlotsOfVisit = fixedSlots + zeroSlots + errorTermCount;
 constexpr std::size_t sliderAt = 0, centreAt = 1, distanceAt = 4, phiAt = 5;
 
-/// The corresponding slots of `JointProblem`.
+/// Returns, for each slot of a visit, the corresponding slot of `JointProblem`.
 std::vector<Index> slotsWith(bool zeros, std::size_t terms) {
   using enum Unknown::Kind;
   std::vector<Index> slots;

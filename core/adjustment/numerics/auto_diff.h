@@ -4,7 +4,7 @@
 #include <cmath>
 #include <unsupported/Eigen/AutoDiff>
 
-// Derivatives of a fixed number of variables.
+// Automatic derivatives with respect to a fixed number of variables.
 
 namespace Eigen {
 

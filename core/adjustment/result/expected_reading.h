@@ -24,8 +24,8 @@ struct SightingToCome {
   int point = 0, round = 1, face = 1;
 };
 
-/// The planned coordinate of the slider, s in rad, by the session's position and the point. Points of other
-/// positions with the same coordinate are then the same place, whatever their numbers.
+/// The planned slider coordinate s, rad, by the index of the session's position and the number of the point.
+/// Points with the same s are the same place, whatever their position and number.
 using NominalPlaces = std::map<std::pair<std::size_t, int>, double>;
 
 struct ExpectedReading {

@@ -72,8 +72,8 @@ double pairsOfOnePlace(const ArcMeasurement& arc) {
   return pairs;
 }
 
-/// The number of pairs of rows at different places that differ by a few steps of the grid without being
-/// equal.
+/// The number of pairs of rows in one face, at different places, whose readings are unequal but differ by at
+/// most a few steps of the grid.
 double nearPairsOfTwoPlaces(const ArcMeasurement& arc, double gridA, double gridE) {
   constexpr double reach = nearSteps + 0.5;
   struct Row {

@@ -161,7 +161,7 @@ class Weighing {
     return bend;
   }
 
-  /// Takes Newton steps. Each is at most twice the step of the differences, which become finer.
+  /// Takes Newton steps. Each is at most twice the step of the finite differences, which shrinks.
   void climb(WeighedForm& weighed, Eigen::Array2d step, Index count, double logVolume) const {
     constexpr int mostSteps = 9;
     Eigen::Array2d at = shapeCoordinates(weighed.form);

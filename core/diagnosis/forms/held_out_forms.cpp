@@ -47,7 +47,7 @@ class Fold {
 
   const Rows& out() const { return m_out; }
 
-  /// Prediction errors of `model` with these columns, fitted to the other readings.
+  /// Prediction errors of `model` with these columns at the fold's readings, after a fit to all others.
   VectorXd errors(const DividedModel& model, const MatrixXd& columns) const {
     MatrixXd all(model.left.size(), model.basis.cols() + columns.cols());
     all << model.basis, columns;

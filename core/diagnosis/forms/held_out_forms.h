@@ -26,8 +26,8 @@ struct HeldOutReadings {
   std::vector<int> eliminated = {};
 };
 
-/// Rms, arcseconds, of the residuals `left`, which are in σ of each reading. `arcseconds` is the σ of each
-/// reading, 0 if it does not count.
+/// Rms, arcseconds, of the residuals `left`, which are in σ of each reading. `arcseconds` holds these σ, 0
+/// for a reading that does not count.
 double rmsOf(const Eigen::VectorXd& left, const Eigen::VectorXd& arcseconds);
 
 /// Adds to each form the shrinkage by all forms together, on all readings and on held-out readings. Also adds

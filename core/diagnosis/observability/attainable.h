@@ -21,7 +21,7 @@ inline constexpr double worthwhileShare = 0.9;
 std::vector<AttainableUncertainty> attainableUncertainties(const GapModel& model, double noise,
                                                            const EffectScales& scales = {});
 
-/// Returns the U of the first entry alone, at plausible sizes; much faster.
+/// Returns only the U of the first entry of `attainableUncertainties`, with `scales` 1; much faster.
 std::optional<double> attainableAsItIs(const GapModel& model, double noise);
 
 }  // namespace alidade

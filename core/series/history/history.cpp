@@ -41,7 +41,7 @@ double medianOf(std::vector<double> numbers) {
   return *middle;
 }
 
-/// The date number of each value.
+/// Numbers the dates of the values from 0; values of one day share a number.
 std::vector<std::size_t> dateNumbers(const std::vector<DatedValue>& values) {
   std::vector<std::size_t> numbers(values.size(), 0);
   for (std::size_t i = 1; i < values.size(); ++i)

@@ -331,7 +331,8 @@ class Conclusion {
     return rivals;
   }
 
-  /// The pattern that most sessions follow, if more than half each have an uncatalogued pattern of their own.
+  /// The most frequent pattern, if at least two and more than half of the sessions each have an uncatalogued
+  /// pattern of their own.
   std::optional<SharedPattern> patternOfMost() const {
     SharedPattern pattern{.follows = {}, .probability = 1, .isOfEach = true};
     std::map<std::string, std::size_t> counts;

@@ -199,7 +199,8 @@ double SharedSearch::accountsOf(const SharedSet& set) const {
   return sum;
 }
 
-/// Prior log odds of an account, without any shared effect.
+/// Log of prior odds × evidence of an account, without any shared effect. The odds of an account with causes
+/// are divided by the number of sessions.
 double SharedSearch::ownOdds(std::size_t session, std::size_t account) const {
   const double each = -std::log(static_cast<double>(m_sessions.size()));
   return m_sessions[session].logOdds(account) + (account > 0 ? each : 0);

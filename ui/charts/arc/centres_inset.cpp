@@ -318,7 +318,7 @@ double CentresInset::titleRoom() const {
   return m_square.width() - 0.8 * QFontMetricsF(m_style.font).height();
 }
 
-/// A line in the largest type that fits, at most `most` pixels, or else shortened. All have the same height.
+/// The text in the largest type that fits, at most `most` pixels, or shortened. All lines are equally high.
 CentresInset::TitleLine CentresInset::largeLine(const QString& text, int most) const {
   QFont font = m_style.font;
   font.setBold(true);

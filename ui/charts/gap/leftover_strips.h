@@ -9,9 +9,9 @@
 
 namespace alidade::ui {
 
-/// The remaining residuals, in σ of the circle, in three strips along the slider coordinate s, the elevation
-/// e and the time t, with labels at the ends of their range and at zero. Bands show where the model is valid
-/// without the forms of that argument.
+/// The remaining residuals, in σ of the circle, in one strip for each argument: the slider coordinate s, the
+/// elevation e and the time t. Labels mark the ends of the residuals' range and zero. Bands show where the
+/// model is valid without the forms of the strip's argument.
 class LeftoverStrips : public BarRows {
   Q_OBJECT
 

@@ -172,7 +172,7 @@ QStringList GapPanel::tickedWithLookAlikes() const {
   return ids;
 }
 
-/// Each action is shown where the table has rows for it, and enabled where these are ticked.
+/// Shows each action if the table has rows for it, and enables it if any of these rows is ticked.
 void GapPanel::showActions() {
   const auto& causes = m_gap->diagnosis->causes;
   const auto canBeAdded = [](const Cause& cause) { return effectById(cause.effect) != nullptr; };
