@@ -61,10 +61,10 @@ std::string leftText(const Guidance& guidance, CircleUnit unit) {
 }
 
 std::string repeatsText(const Guidance& guidance) {
-  if (guidance.repeats.empty()) return "";
+  if (guidance.allToRepeat.empty()) return "";
   std::string text = "\nTake again\n";
-  for (const Repeat& repeat : guidance.repeats)
-    text += paragraph("  " + repeatSentence(repeat, guidance.progress), 4);
+  for (const SightingsToRepeat& toRepeat : guidance.allToRepeat)
+    text += paragraph("  " + repeatSentence(toRepeat, guidance.progress), 4);
   return text;
 }
 
@@ -85,7 +85,7 @@ std::string guidanceText(const std::string& session, const Guidance& guidance, C
       guidance.ahead ? statementText(sightingsAheadStatement(*guidance.ahead, *guidance.uncertainty)) : "";
   if (guidance.choice) return text + nextText(guidance, unit) + choice + ahead + repeatsText(guidance);
   return text + nextText(guidance, unit) + leftText(guidance, unit) + repeatsText(guidance) + "\n" +
-         paragraph(joinedSentences(repeatsFirst(guidance.repeats),
+         paragraph(joinedSentences(repeatsFirst(guidance.allToRepeat),
                                    outlookSentences(guidance.outlook, guidance.progress))) +
          statementText(insteadStatement(guidance.outlook));
 }

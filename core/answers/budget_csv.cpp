@@ -41,7 +41,7 @@ class BudgetTable {
  private:
   CsvText& beginRow(std::string_view quantity, const ArcFit* arc) {
     m_csv.word(quantity);
-    if (arc) return m_csv.count(arc->axisDeg).count(arc->time);
+    if (arc) return m_csv.count(arc->axisDeg).count(arc->repeat);
     return m_csv.word("").word("");
   }
 

@@ -25,7 +25,7 @@ Json readingJson(const ReadingDeviation& reading) {
   Json json = {{"axis_deg", reading.axisDeg},    {"round", reading.round},
                {"point", reading.point},         {"face", reading.face},
                {"circle", nameOf(reading.kind)}, {"size_arcsec", reading.size}};
-  if (reading.time > 1) json["time"] = reading.time;
+  if (reading.repeat > 1) json["time"] = reading.repeat;
   return json;
 }
 
@@ -44,7 +44,7 @@ Json closureJson(const ClosureStep& step) {
                {"after_sigmas", step.after ? Json(step.after->sigmas()) : Json()}};
   if (const auto& repeated = step.before.repeated) {
     json["axis_deg"] = repeated->axisDeg;
-    if (repeated->time > 1) json["time"] = repeated->time;
+    if (repeated->repeat > 1) json["time"] = repeated->repeat;
     if (step.before.isOfZeros())
       json["circle"] = step.before.of == Closure::Of::ZeroAzimuth ? "horizontal" : "vertical";
     else

@@ -53,7 +53,7 @@ Json arcJson(const ArcFit& arc, const ArcSigma& sigma) {
                {"reduced_chi2", arc.degreesOfFreedom > 0 ? arc.reducedChiSquare() : undefined},
                {"iterations", arc.iterations},
                {"converged", arc.converged()}};
-  if (arc.time > 1) json["time"] = arc.time;
+  if (arc.repeat > 1) json["time"] = arc.repeat;
   return json;
 }
 
@@ -107,7 +107,7 @@ Json conditionsJson(const FitAnswer& answer, const AcceptanceDecision& decision)
                  {"when", jump.isAfterZero ? "after_zero" : "during_readings"},
                  {"influence_mm", jump.influence},
                  {"probability", odds / (1 + odds)}};
-    if (jump.time > 1) json["time"] = jump.time;
+    if (jump.repeat > 1) json["time"] = jump.repeat;
     conditions.push_back(std::move(json));
   }
   return conditions;
@@ -122,7 +122,7 @@ Json dependencesJson(const std::vector<Dependence>& dependences) {
                     {"face", dependence.face},
                     {"verdict", verdictName(dependence.without)},
                     {"by", dependence.isExact ? "re-evaluation" : "linear_estimate"}});
-    if (dependence.time > 1) rows.back()["time"] = dependence.time;
+    if (dependence.repeat > 1) rows.back()["time"] = dependence.repeat;
   }
   return rows;
 }
@@ -215,7 +215,7 @@ Json inputJson(const InputReliability& reliability, const SessionFit& fit) {
   if (!isAngle || reliability.input.arc == Unknown::everyArc) return json;
   const ArcFit& arc = fit.arcs[reliability.input.arc];
   json["axis_deg"] = arc.axisDeg;
-  if (arc.time > 1) json["time"] = arc.time;
+  if (arc.repeat > 1) json["time"] = arc.repeat;
   return json;
 }
 
@@ -235,9 +235,9 @@ void addArrival(Json& json, const Arrival* arrival) {
 }
 
 /// Names the row's position, round and point.
-Json rowJson(int axisDeg, int time, const Sighting& sighting) {
+Json rowJson(int axisDeg, int repeat, const Sighting& sighting) {
   Json json = {{"axis_deg", axisDeg}};
-  if (time > 1) json["time"] = time;
+  if (repeat > 1) json["time"] = repeat;
   json["round"] = sighting.round;
   json["point"] = sighting.point;
   return json;
@@ -254,7 +254,7 @@ Json reliabilityJson(const Measurement& measurement, const SessionFit& fit, cons
     const Sighting& sighting = (*sightings[reading.arc])[reading.sighting];
     const Reliability reliability = reliabilityOf(reading, detection);
     const ArcFit& arc = fit.arcs[reading.arc];
-    Json json = rowJson(arc.axisDeg, arc.time, sighting);
+    Json json = rowJson(arc.axisDeg, arc.repeat, sighting);
     json["face"] = sighting.face;
     json["circle"] = nameOf(reading.kind);
     json["residual_arcsec"] = Angle::fromRadians(reading.residual).arcseconds();
@@ -281,7 +281,7 @@ Json visitsJson(const Measurement& measurement, const TwoFaces& faces) {
   Json list = Json::array();
   for (const FaceDifference& visit : faces.visits) {
     const ArcMeasurement& arc = measurement.arcs[visit.arc];
-    Json json = rowJson(arc.axisDeg, arc.time, arc.sightings[visit.faceOne]);
+    Json json = rowJson(arc.axisDeg, arc.repeat, arc.sightings[visit.faceOne]);
     json["elevation_deg"] = visit.elevation.degrees();
     json["double_collimation_arcsec"] = visit.doubleCollimation.arcseconds();
     json["from_course_arcsec"] = visit.fromCourse.arcseconds();
@@ -326,7 +326,7 @@ Json suspectJson(const Suspect& suspect) {
                {"where", suspect.where.path()},
                {"rivals", std::move(rivals)},
                {"proposals", std::move(proposals)}};
-  if (suspect.time > 1) json["time"] = suspect.time;
+  if (suspect.repeat > 1) json["time"] = suspect.repeat;
   return json;
 }
 

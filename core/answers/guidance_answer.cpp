@@ -26,7 +26,8 @@ Guidance guidanceOf(const Session& session, SightingProtocol protocol, std::opti
   const std::vector<Suspect> suspects =
       fit.arcs.empty() ? std::vector<Suspect>() : findSuspects(session, measurement, fit);
   const std::optional<TwoFaces> faces = compareFaces(measurement);
-  guidance.repeats = repeatsOf({measurement, fit, faces ? &*faces : nullptr, suspects}, guidance.progress);
+  guidance.allToRepeat =
+      sightingsToRepeat({measurement, fit, faces ? &*faces : nullptr, suspects}, guidance.progress);
   std::optional<Diagnosis> diagnosis;
   if (fit.intersection)
     if (auto found = diagnose(measurement, fit)) diagnosis = *std::move(found);

@@ -5,8 +5,8 @@
 
 #include "core/adjustment/result/expected_reading.h"
 #include "core/guidance/outlook.h"
-#include "core/guidance/repeats.h"
 #include "core/guidance/sighting_choice.h"
+#include "core/guidance/sightings_to_repeat.h"
 #include "core/session/protocol_progress.h"
 #include "core/session/session.h"
 
@@ -20,7 +20,7 @@ struct Guidance {
   std::optional<SightingChoice> choice = {};             ///< in a protocol by worth
   std::optional<SightingsAhead> ahead = {};              ///< in a protocol by worth: needed for `uncertainty`
   std::optional<double> uncertainty = {};                ///< U of Δd, mm
-  std::vector<Repeat> repeats;
+  std::vector<SightingsToRepeat> allToRepeat;
   Outlook outlook;
 };
 

@@ -30,22 +30,22 @@ const char* idOf(SightingState state) {
   return "";
 }
 
-const char* idOf(Repeat::Reason reason) {
+const char* idOf(SightingsToRepeat::Reason reason) {
   switch (reason) {
-    case Repeat::Reason::Misread:
+    case SightingsToRepeat::Reason::Misread:
       return "misread";
-    case Repeat::Reason::FacesDisagree:
+    case SightingsToRepeat::Reason::FacesDisagree:
       return "faces-disagree";
-    case Repeat::Reason::WaysDisagree:
+    case SightingsToRepeat::Reason::WaysDisagree:
       return "ways-disagree";
-    case Repeat::Reason::ZeroMoved:
+    case SightingsToRepeat::Reason::ZeroMoved:
       return "zero-moved";
   }
   return "";
 }
 
 Json sightingJson(const PlannedSighting& planned) {
-  Json json = {{"axis_deg", planned.axisDeg}, {"time", planned.time}};
+  Json json = {{"axis_deg", planned.axisDeg}, {"time", planned.repeat}};
   if (planned.isZero)
     json["pointing_zero"] = planned.isAfter ? "after" : "before";
   else {
@@ -138,15 +138,15 @@ Json pairJson(const std::optional<ExpandedPair>& pair) {
           {"as_measured_mm", pair->asMeasured ? Json(*pair->asMeasured) : Json()}};
 }
 
-Json repeatJson(const Repeat& repeat, const ProtocolProgress& progress) {
+Json repeatJson(const SightingsToRepeat& toRepeat, const ProtocolProgress& progress) {
   Json sightings = Json::array();
-  for (const std::size_t index : repeat.sightings)
+  for (const std::size_t index : toRepeat.sightings)
     sightings.push_back(sightingJson(progress.sightings[index].planned));
-  Json json = {{"reason", idOf(repeat.reason)}, {"sightings", std::move(sightings)}};
-  json["circle"] = repeat.kind ? Json(nameOf(*repeat.kind)) : Json();
-  json["size_arcsec"] = std::isfinite(repeat.size) ? Json(repeat.size) : Json();
-  json["sigmas"] = repeat.sigmas;
-  json["sentence"] = repeatSentence(repeat, progress);
+  Json json = {{"reason", idOf(toRepeat.reason)}, {"sightings", std::move(sightings)}};
+  json["circle"] = toRepeat.kind ? Json(nameOf(*toRepeat.kind)) : Json();
+  json["size_arcsec"] = std::isfinite(toRepeat.size) ? Json(toRepeat.size) : Json();
+  json["sigmas"] = toRepeat.sigmas;
+  json["sentence"] = repeatSentence(toRepeat, progress);
   return json;
 }
 
@@ -175,7 +175,7 @@ Json outlookJson(const Guidance& guidance) {
 
 std::string guidanceJson(const std::string& session, const Guidance& guidance) {
   const ProtocolProgress& progress = guidance.progress;
-  Json sightings = Json::array(), repeats = Json::array();
+  Json sightings = Json::array(), allToRepeat = Json::array();
   for (std::size_t i = 0; i < progress.sightings.size(); ++i) {
     const FollowedSighting& followed = progress.sightings[i];
     Json json = sightingJson(followed.planned);
@@ -183,7 +183,8 @@ std::string guidanceJson(const std::string& session, const Guidance& guidance) {
     if (followed.isOutOfTurn) json["out_of_turn"] = true;
     sightings.push_back(withExpected(std::move(json), guidance.expected[i]));
   }
-  for (const Repeat& repeat : guidance.repeats) repeats.push_back(repeatJson(repeat, progress));
+  for (const SightingsToRepeat& toRepeat : guidance.allToRepeat)
+    allToRepeat.push_back(repeatJson(toRepeat, progress));
   Json json = {{"session", session}, {"protocol", guidance.protocol.name}};
   json["planned"] = progress.sightings.size();
   json["taken"] = progress.taken;
@@ -197,7 +198,7 @@ std::string guidanceJson(const std::string& session, const Guidance& guidance) {
                                : Json();
   if (guidance.ahead) json["ahead"] = aheadJson(*guidance.ahead);
   if (guidance.choice) json["choice"] = choiceJson(*guidance.choice, progress);
-  json["repeat"] = std::move(repeats);
+  json["repeat"] = std::move(allToRepeat);
   json["outlook"] = outlookJson(guidance);
   json["sightings"] = std::move(sightings);
   return answerText(std::move(json));

@@ -63,7 +63,7 @@ std::string residualsCsv(const Measurement& measurement, const SessionFit& fit) 
   for (const auto& [reading, sighting] : inTheOrderTaken(measurement, fit)) {
     const ArcFit& arc = fit.arcs[reading->arc];
     const Reliability reliability = reliabilityOf(*reading, detection);
-    csv.count(arc.axisDeg).count(arc.time).count(sighting->point).count(sighting->round);
+    csv.count(arc.axisDeg).count(arc.repeat).count(sighting->point).count(sighting->round);
     csv.count(sighting->face).count(static_cast<long long>(sighting->sequence) + 1);
     csv.word(nameOf(reading->kind)).number(sliderDegrees(arc, reading->sighting));
     csv.number(sighting->a.degrees()).number(sighting->e.degrees());

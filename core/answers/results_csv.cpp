@@ -22,7 +22,7 @@ class ResultsTable {
            double expanded = unknownNumber) {
     m_csv.word(quantity);
     if (arc)
-      m_csv.count(arc->axisDeg).count(arc->time);
+      m_csv.count(arc->axisDeg).count(arc->repeat);
     else
       m_csv.word("").word("");
     m_csv.word(unit).number(value).number(sigma).number(expanded);

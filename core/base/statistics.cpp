@@ -28,25 +28,26 @@ std::optional<double> known(double probability) {
 
 }  // namespace
 
-std::optional<double> chiSquareUpperTail(Misfit chiSquare, DegreesOfFreedom degreesOfFreedom) {
+std::optional<double> chiSquareUpperTail(WeightedSquareSum chiSquare, DegreesOfFreedom degreesOfFreedom) {
   if (!chiSquare.isKnown() || !degreesOfFreedom.isPositive()) return std::nullopt;
-  const double f = degreesOfFreedom.count(), ratio = chiSquare.squared() / f;
-  if (std::isinf(chiSquare.squared())) return 0;
+  const double f = degreesOfFreedom.count(), ratio = chiSquare.value() / f;
+  if (std::isinf(chiSquare.value())) return 0;
   // Chernoff's bound, P(χ² ≤ x) ≤ (r e^(1−r))^(f/2) with r = x/f < 1: if it is negligible compared with 1 the
   // tail is 1, which avoids an overflow in the series of the gamma function.
   constexpr double negligibleLog = -40;  // e^−40 is below half of the spacing of doubles at 1
   if (ratio < 1 && f / 2 * (1 - ratio + std::log(ratio)) < negligibleLog) return 1;
   return known(boost::math::cdf(
-      complement(boost::math::chi_squared_distribution<double, QuietAndQuick>(f), chiSquare.squared())));
+      complement(boost::math::chi_squared_distribution<double, QuietAndQuick>(f), chiSquare.value())));
 }
 
-std::optional<double> fUpperTail(Misfit misfit, DegreesOfFreedom numerator, DegreesOfFreedom denominator) {
-  if (!misfit.isKnown() || !numerator.isPositive() || !denominator.isPositive()) return std::nullopt;
-  if (denominator.areInfinite()) return chiSquareUpperTail(misfit, numerator);
-  if (std::isinf(misfit.squared())) return 0;
+std::optional<double> fUpperTail(WeightedSquareSum squares, DegreesOfFreedom numerator,
+                                 DegreesOfFreedom denominator) {
+  if (!squares.isKnown() || !numerator.isPositive() || !denominator.isPositive()) return std::nullopt;
+  if (denominator.areInfinite()) return chiSquareUpperTail(squares, numerator);
+  if (std::isinf(squares.value())) return 0;
   return known(boost::math::cdf(
       complement(boost::math::fisher_f_distribution<double, Quiet>(numerator.count(), denominator.count()),
-                 misfit.squared() / numerator.count())));
+                 squares.value() / numerator.count())));
 }
 
 double coverageFactor(double coverage, DegreesOfFreedom degreesOfFreedom) {

@@ -11,19 +11,19 @@ namespace alidade {
 
 /// Σ (v/σ)², or another squared distance in units of its own variance: 0 or more, may be infinite, or
 /// unknown. A value below zero by rounding (1e-6) is 0; a more negative value is unknown, as is NaN.
-class Misfit {
+class WeightedSquareSum {
  public:
-  Misfit(double squared)
-      : m_squared(squared >= 0          ? squared
-                  : squared > -rounding ? 0
-                                        : std::numeric_limits<double>::quiet_NaN()) {}
+  WeightedSquareSum(double value)
+      : m_value(value >= 0          ? value
+                : value > -rounding ? 0
+                                    : std::numeric_limits<double>::quiet_NaN()) {}
 
-  bool isKnown() const { return m_squared >= 0; }
-  double squared() const { return m_squared; }  ///< NaN if unknown
+  bool isKnown() const { return m_value >= 0; }
+  double value() const { return m_value; }  ///< NaN if unknown
 
  private:
   static constexpr double rounding = 1e-6;
-  double m_squared;
+  double m_value;
 };
 
 /// The number of redundant conditions: positive, infinite, or 0 for none.
@@ -41,12 +41,13 @@ class DegreesOfFreedom {
   double m_count;
 };
 
-/// Probability that χ² exceeds a misfit. Absent if the misfit is unknown or there are no degrees of freedom.
-std::optional<double> chiSquareUpperTail(Misfit chiSquare, DegreesOfFreedom degreesOfFreedom);
+/// Probability that χ² exceeds a sum. Absent if the sum is unknown or there are no degrees of freedom.
+std::optional<double> chiSquareUpperTail(WeightedSquareSum chiSquare, DegreesOfFreedom degreesOfFreedom);
 
-/// Probability that F exceeds `misfit` / `numerator`. Absent if the misfit is unknown or either number of
+/// Probability that F exceeds `squares` / `numerator`. Absent if `squares` is unknown or either number of
 /// degrees of freedom is 0.
-std::optional<double> fUpperTail(Misfit misfit, DegreesOfFreedom numerator, DegreesOfFreedom denominator);
+std::optional<double> fUpperTail(WeightedSquareSum squares, DegreesOfFreedom numerator,
+                                 DegreesOfFreedom denominator);
 
 /// k such that a Student variable (infinite degrees of freedom: normal) lies within ±k with probability
 /// `coverage` in (0, 1). Infinite without degrees of freedom, as any finite interval is too narrow.

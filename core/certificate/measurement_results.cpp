@@ -22,9 +22,9 @@ const char* shapeOf(double degreesOfFreedom) {
   return std::isfinite(degreesOfFreedom) ? "Student's t" : "normal";
 }
 
-/// The name of the distribution. Several `accounts`, each with its own distribution, make a mixture.
+/// The name of the distribution. Several `explanations`, each with its own distribution, make a mixture.
 const char* shapeOf(const IntersectionEstimate& estimate) {
-  return estimate.accounts.size() > 1 ? "mixture of Student's t" : shapeOf(estimate.degreesOfFreedom);
+  return estimate.explanations.size() > 1 ? "mixture of Student's t" : shapeOf(estimate.degreesOfFreedom);
 }
 
 std::string measuredName() {
@@ -128,7 +128,7 @@ void addAcross(const Element& results, const FitAnswer& answer) {
 /// "arc_180", and "arc_180_2" for a repeated axis.
 std::string idOf(const ArcFit& arc) {
   std::string id = "arc_" + std::to_string(arc.axisDeg);
-  if (arc.time > 1) id += "_" + std::to_string(arc.time);
+  if (arc.repeat > 1) id += "_" + std::to_string(arc.repeat);
   return id;
 }
 
@@ -137,7 +137,7 @@ void addArc(const Element& results, const ArcFit& arc, const ArcSigma& sigma) {
   const Element result = results.add("result");
   result.attribute("id", id);
   result.say("name", [&] {
-    return Phrase::of("Arc in the position %1 of the axis", positionName(arc.axisDeg, arc.time));
+    return Phrase::of("Arc in the position %1 of the axis", positionName(arc.axisDeg, arc.repeat));
   });
   result.say("description", [] {
     return Phrase::of(

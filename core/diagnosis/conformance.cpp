@@ -10,14 +10,15 @@ namespace alidade {
 
 std::optional<double> conformanceOf(const IntersectionEstimate& estimate, double tolerance, double shift) {
   double within = 0, all = 0;
-  for (const NormalPart& account : estimate.accounts) {
+  for (const NormalPart& explanation : estimate.explanations) {
     const auto below = [&](double limit) {
-      return studentLowerTail((limit - shift - account.mean) / account.sigma, estimate.degreesOfFreedom);
+      return studentLowerTail((limit - shift - explanation.mean) / explanation.sigma,
+                              estimate.degreesOfFreedom);
     };
     const std::optional<double> high = below(tolerance), low = below(-tolerance);
     if (!high || !low) return std::nullopt;
-    within += account.share * (*high - *low);
-    all += account.share;
+    within += explanation.share * (*high - *low);
+    all += explanation.share;
   }
   if (!(all > 0)) return std::nullopt;
   return std::clamp(within / all, 0.0, 1.0);  // removes rounding errors
@@ -26,15 +27,15 @@ std::optional<double> conformanceOf(const IntersectionEstimate& estimate, double
 std::optional<TailRisk> tailRiskOf(const IntersectionEstimate& estimate, double tolerance) {
   TailRisk risk;
   double all = 0;
-  for (const NormalPart& account : estimate.accounts) {
+  for (const NormalPart& explanation : estimate.explanations) {
     const auto beyond = [&](double mean) {
-      return studentLowerTail((mean - tolerance) / account.sigma, estimate.degreesOfFreedom);
+      return studentLowerTail((mean - tolerance) / explanation.sigma, estimate.degreesOfFreedom);
     };
-    const std::optional<double> above = beyond(account.mean), below = beyond(-account.mean);
+    const std::optional<double> above = beyond(explanation.mean), below = beyond(-explanation.mean);
     if (!above || !below) return std::nullopt;
-    risk.above += account.share * *above;
-    risk.below += account.share * *below;
-    all += account.share;
+    risk.above += explanation.share * *above;
+    risk.below += explanation.share * *below;
+    all += explanation.share;
   }
   if (!(all > 0)) return std::nullopt;
   risk.above /= all;
@@ -47,7 +48,8 @@ IntersectionEstimate widened(IntersectionEstimate estimate, double sigma) {
   const double factor = estimate.sigma > 0 ? std::hypot(estimate.sigma, sigma) / estimate.sigma : 1;
   estimate.sigma *= factor;
   estimate.expanded *= factor;
-  for (NormalPart& account : estimate.accounts) account.sigma = std::hypot(account.sigma, sigma);
+  for (NormalPart& explanation : estimate.explanations)
+    explanation.sigma = std::hypot(explanation.sigma, sigma);
   return estimate;
 }
 

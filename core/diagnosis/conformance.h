@@ -23,7 +23,7 @@ struct TailRisk {
 /// The measurand is |Δd|; `tolerance` is in mm. Absent without degrees of freedom or an uncertainty.
 std::optional<TailRisk> tailRiskOf(const IntersectionEstimate& estimate, double tolerance);
 
-/// Adds a further standard uncertainty `sigma` (≥ 0, mm) to every account of Δd.
+/// Adds a further standard uncertainty `sigma` (≥ 0, mm) to every explanation of Δd.
 IntersectionEstimate widened(IntersectionEstimate estimate, double sigma);
 
 /// The measurand is √(Δd² + Δz²), mm. Δz follows Student's distribution, independent of Δd.

@@ -14,7 +14,7 @@ namespace {
 Verdict verdictOf(const IntersectionEstimate& estimate, double more, const Measurement& measurement) {
   const double tolerance = *measurement.tolerance, risk = (1 - measurement.coverage) / 2;
   const Verdict guarded = decide(estimate.value, estimate.expanded, tolerance);
-  if (guarded == Verdict::Undecided || (estimate.accounts.size() < 2 && !(more > 0))) return guarded;
+  if (guarded == Verdict::Undecided || (estimate.explanations.size() < 2 && !(more > 0))) return guarded;
   const std::optional<TailRisk> beyond = tailRiskOf(widened(estimate, more), tolerance);
   if (!beyond) return Verdict::Undecided;
   const bool holds = guarded == Verdict::Accept ? beyond->areAtMost(risk)

@@ -17,7 +17,7 @@ namespace {
 struct Influence {
   std::size_t arc = 0, sighting = 0;  ///< indices in the measurement
   double shift = 0;                   ///< change of Δd, mm
-  double misfit = 0;                  ///< change of χ²
+  double chiSquare = 0;               ///< change of χ²
 };
 
 /// Number of rows in each visit of an arc.
@@ -26,7 +26,7 @@ using RowsOfVisits = std::map<std::pair<std::size_t, std::uint32_t>, int>;
 std::vector<Influence> influencesOf(const Measurement& measurement, const SessionFit& fit) {
   constexpr double leastChecked = 0.05;
   struct Sum {
-    double shift = 0, misfit = 0, redundancy = 0;
+    double shift = 0, chiSquare = 0, redundancy = 0;
     int readings = 0;
     std::uint32_t visit = 0;
   };
@@ -34,7 +34,7 @@ std::vector<Influence> influencesOf(const Measurement& measurement, const Sessio
   for (const AdjustedReading& reading : fit.joint.readings) {
     Sum& sum = sums[{reading.arc, reading.sighting}];
     sum.shift -= reading.perReading * reading.residual;
-    sum.misfit += square(reading.residual / reading.sigma);
+    sum.chiSquare += square(reading.residual / reading.sigma);
     sum.redundancy += reading.redundancy;
     sum.visit = reading.visit;
     ++sum.readings;
@@ -48,7 +48,7 @@ std::vector<Influence> influencesOf(const Measurement& measurement, const Sessio
     const int conditions = sum.readings - (rows[{at.first, sum.visit}] == 1 ? 1 : 0);
     const double checked = std::max(sum.redundancy / std::max(conditions, 1), leastChecked);
     influences.push_back({static_cast<std::size_t>(arc - measurement.arcs.begin()), at.second,
-                          sum.shift / checked, sum.misfit / checked});
+                          sum.shift / checked, sum.chiSquare / checked});
   }
   return influences;
 }
@@ -56,7 +56,7 @@ std::vector<Influence> influencesOf(const Measurement& measurement, const Sessio
 Dependence dependenceOn(const Measurement& measurement, const Influence& row, Verdict without, bool isExact) {
   const ArcMeasurement& arc = measurement.arcs[row.arc];
   const Sighting& sighting = arc.sightings[row.sighting];
-  return {arc.position,   sighting.row,  arc.axisDeg, arc.time, sighting.round,
+  return {arc.position,   sighting.row,  arc.axisDeg, arc.repeat, sighting.round,
           sighting.point, sighting.face, without,     isExact};
 }
 
@@ -91,7 +91,7 @@ std::vector<Influence> mostInfluential(std::vector<Influence> rows) {
     std::ranges::sort(from, rows.end(), std::greater{}, size);
   };
   take(0, [](const Influence& row) { return std::abs(row.shift); });
-  take(mostLeftOut / 2, [](const Influence& row) { return row.misfit; });
+  take(mostLeftOut / 2, [](const Influence& row) { return row.chiSquare; });
   rows.resize(std::min(rows.size(), mostLeftOut));
   return rows;
 }

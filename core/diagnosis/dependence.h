@@ -20,7 +20,7 @@ namespace alidade {
 /// A row whose exclusion changes the verdict.
 struct Dependence {
   std::size_t position = 0, row = 0;  ///< indices in the session
-  int axisDeg = 0, time = 1, round = 1, point = 0, face = 1;
+  int axisDeg = 0, repeat = 1, round = 1, point = 0, face = 1;
   Verdict without = Verdict::Undecided;  ///< the verdict without the row
   bool isExact = true;                   ///< false if evaluated to first order only
 };

@@ -100,7 +100,7 @@ std::optional<Closure> referenceIn(const std::vector<ClosureStep>& closures) {
 std::vector<PossibleCause> possibleCausesOf(const Inquiry& inquiry, const Answer& answer) {
   const auto possible = [&](const Part& part, double odds) {
     const Component& component = inquiry.of(part);
-    return PossibleCause{std::string(component.id()), part.weights, odds, component.slippedArc(),
+    return PossibleCause{std::string(component.id()), part.weights, odds, component.wrongZeroArc(),
                          component.jumpMoment()};
   };
   for (std::size_t p = 0; p < answer.rivals.size(); ++p) {
@@ -110,8 +110,8 @@ std::vector<PossibleCause> possibleCausesOf(const Inquiry& inquiry, const Answer
     std::vector<PossibleCause> group{possible(part, 1)};
     for (const Rival& rival : answer.rivals[p])
       if (!rival.isExcluded) group.push_back(possible(rival.part, rival.odds));
-    for (const Rival& slip : otherSlips(inquiry, answer.explanation, p))
-      group.push_back(possible(slip.part, slip.odds));
+    for (const Rival& other : otherWrongZeros(inquiry, answer.explanation, p))
+      group.push_back(possible(other.part, other.odds));
     return group;
   }
   return {};

@@ -63,16 +63,16 @@ MatrixXd columnsOf(const Inquiry& inquiry, const SharedColumns& shared) {
   return all;
 }
 
-/// Computes the accounts of a session relative to the columns of all effects.
-class Accounts {
+/// Computes the explanations of a session relative to the columns of all effects.
+class SessionExplanations {
  public:
-  Accounts(const Inquiry& inquiry, const MatrixXd& columns)
+  SessionExplanations(const Inquiry& inquiry, const MatrixXd& columns)
       : m_inquiry(inquiry), m_columns(columns), m_right(columns.transpose() * inquiry.leftover.residual()) {}
 
-  /// Returns the empty account and those of the likeliest explanations, each also without its parts that
+  /// Returns the empty explanation and those of the likeliest explanations, each also without its parts that
   /// affect many readings.
-  std::vector<OwnAccount> likeliest() {
-    constexpr std::size_t mostExplanations = 12, mostAccounts = 10;
+  std::vector<SessionExplanation> likeliest() {
+    constexpr std::size_t mostExplanations = 12, mostKept = 10;
     constexpr double outOfQuestion = 1e-7;
     add({}, 1);
     std::size_t looked = 0;
@@ -84,16 +84,16 @@ class Accounts {
       const double noise = explanation.noisy ? explanation.noise : 1;
       add(others, noise);
       add(explanation.parts, noise);
-      if (m_accounts.size() >= mostAccounts) break;
+      if (m_explanations.size() >= mostKept) break;
     }
-    return std::move(m_accounts);
+    return std::move(m_explanations);
   }
 
  private:
   const Inquiry& m_inquiry;
   const MatrixXd& m_columns;
   const VectorXd m_right;
-  std::vector<OwnAccount> m_accounts;
+  std::vector<SessionExplanation> m_explanations;
   std::vector<std::vector<std::size_t>> m_keys;
 
   /// Whether the part affects many readings, so that it may resemble a shared effect.
@@ -102,27 +102,27 @@ class Accounts {
     return component.isEffect() || component.isJump() || component.isShape();
   }
 
-  /// Adds an account, unless it exists.
+  /// Adds an explanation, unless it exists.
   void add(const std::vector<Part>& parts, double noise) {
     std::vector<std::size_t> key{noise > 1 ? std::size_t{1} : 0};
     for (const Part& part : parts) key.push_back(part.component + 2);
     std::ranges::sort(key);
     if (std::ranges::find(m_keys, key) != m_keys.end()) return;
     m_keys.push_back(std::move(key));
-    m_accounts.push_back(made(parts, noise));
+    m_explanations.push_back(made(parts, noise));
   }
 
-  OwnAccount made(const std::vector<Part>& parts, double noise) const {
+  SessionExplanation made(const std::vector<Part>& parts, double noise) const {
     const Leftover& leftover = m_inquiry.leftover;
     const double variance = noise * noise, f = leftover.degreesOfFreedom();
-    OwnAccount account{.noisy = noise > 1, .noise = noise};
+    SessionExplanation explanation{.noisy = noise > 1, .noise = noise};
     VectorXd residual = leftover.residual();
     MatrixXd own(leftover.rows(), 0);
     for (const Part& part : parts) {
       const Component& component = m_inquiry.of(part);
-      account.causes.emplace_back(component.id());
-      account.holdsPattern = account.holdsPattern || isOfMany(part);
-      account.logOdds += m_inquiry.candidates.groupOf(part.component).logPrior;
+      explanation.causes.emplace_back(component.id());
+      explanation.holdsPattern = explanation.holdsPattern || isOfMany(part);
+      explanation.logOdds += m_inquiry.candidates.groupOf(part.component).logPrior;
       const MatrixXd visible = component.visibleColumns(leftover);
       if (component.response() == Response::AllOrNothing) {
         residual -= visible.col(0);
@@ -143,16 +143,16 @@ class Accounts {
     const Eigen::LLT<MatrixXd> factor(matrix);
     const MatrixXd taken = factor.matrixL().solve(own.transpose() * m_columns);
     const VectorXd found = factor.matrixL().solve(own.transpose() * residual);
-    account.chiSquare = std::max(residual.squaredNorm() - found.squaredNorm(), 0.0);
-    account.right = listed(m_columns.transpose() * residual - taken.transpose() * found);
-    account.directions = static_cast<std::size_t>(taken.rows());
+    explanation.chiSquare = std::max(residual.squaredNorm() - found.squaredNorm(), 0.0);
+    explanation.right = listed(m_columns.transpose() * residual - taken.transpose() * found);
+    explanation.directions = static_cast<std::size_t>(taken.rows());
     const RowMajor rows = taken;
-    account.taken.assign(rows.data(), rows.data() + rows.size());
+    explanation.taken.assign(rows.data(), rows.data() + rows.size());
     for (Index i = 0; i < matrix.rows(); ++i)
-      account.logOdds -= std::log(factor.matrixLLT()(i, i)) - std::log(variance) / 2;
-    account.logOdds += (leftover.chiSquare() - account.chiSquare / variance) / 2;
-    if (noise > 1) account.logOdds += noiseOdds(noise, f);
-    return account;
+      explanation.logOdds -= std::log(factor.matrixLLT()(i, i)) - std::log(variance) / 2;
+    explanation.logOdds += (leftover.chiSquare() - explanation.chiSquare / variance) / 2;
+    if (noise > 1) explanation.logOdds += noiseOdds(noise, f);
+    return explanation;
   }
 
   /// ln odds of larger noise: its prior, the width of its posterior, and the smaller weight of all readings.
@@ -224,7 +224,7 @@ Result<SessionEvidence, DiagnosisFault> evidenceOf(const Measurement& measuremen
   SessionEvidence evidence;
   evidence.columns = std::move(shared);
   evidence.normal = productsOf(*evidence.columns, columns);
-  evidence.accounts = Accounts(inquiry, columns).likeliest();
+  evidence.explanations = SessionExplanations(inquiry, columns).likeliest();
   evidence.chiSquare = inquiry.leftover.chiSquare();
   evidence.degreesOfFreedom = inquiry.leftover.degreesOfFreedom();
   addCircleSums(inquiry, columns, evidence);

@@ -22,16 +22,16 @@ namespace alidade {
 // C and the leftover r, both in σ of the readings (`Leftover`). The columns of undetectable effects, of
 // effects in the model and of own effects that the session does not have are 0.
 
-/// One account of the session's own causes: none, gross errors, a jump, larger noise, or another cause. Its
-/// columns A, at their prior widths, are eliminated, so that they do not distort the evidence for a shared
-/// effect. This gives N − TᵀT and b − Tᵀt, where t are the components of r along the directions of T.
-struct OwnAccount {
+/// One explanation of the session's own causes: none, gross errors, a jump, larger noise, or another cause.
+/// Its columns A, at their prior widths, are eliminated, so that they do not distort the evidence for a
+/// shared effect. This gives N − TᵀT and b − Tᵀt, where t are the components of r along the directions of T.
+struct SessionExplanation {
   std::vector<std::string> causes = {};  ///< identifiers, larger noise not included; empty: no cause
   bool holdsPattern = false;  ///< contains a cause that affects many readings: an effect, a jump, a shape
   bool noisy = false;         ///< with noise larger than stated
   double noise = 1;           ///< scale of the noise
-  double logOdds = 0;         ///< natural logarithm of prior odds × evidence, against the empty account
-  double chiSquare = 0;       ///< χ² after the account, with the stated σ
+  double logOdds = 0;         ///< natural logarithm of prior odds × evidence, against the empty explanation
+  double chiSquare = 0;       ///< χ² after the explanation, with the stated σ
   std::vector<double> right = {};  ///< b after elimination
   std::size_t directions = 0;
   std::vector<double> taken = {};  ///< T, directions × columns, row by row
@@ -39,9 +39,9 @@ struct OwnAccount {
 
 struct SessionEvidence {
   std::shared_ptr<const SharedColumns> columns;
-  std::vector<double> normal;        ///< N, indexed by `productAt`
-  std::vector<OwnAccount> accounts;  ///< the first has no cause
-  double chiSquare = 0;              ///< χ² of the leftover
+  std::vector<double> normal;                    ///< N, indexed by `productAt`
+  std::vector<SessionExplanation> explanations;  ///< the first has no cause
+  double chiSquare = 0;                          ///< χ² of the leftover
   int degreesOfFreedom = 0;
   // Sums of the circle readings' leftover ε in arcseconds: Σ ε², and with the columns E in arcseconds Eᵀε and
   // EᵀE.

@@ -28,7 +28,7 @@ Visibility visibilityIn(const GapModel& model, const std::string& held) {
   };
   for (const Component& other : effectsBeyond(model, leftover, {held})) compare(other);
   if (held != jumpId)
-    for (const Component& slip : zeroSlips(leftover)) compare(slip);
+    for (const Component& other : wrongZeros(leftover)) compare(other);
   std::ranges::sort(visibility.lookAlikes, {}, &LookAlike::difference);
   return visibility;
 }

@@ -26,9 +26,10 @@ std::shared_ptr<const Guide> guideOf(const Evaluation& evaluation) {
     const Measurement& measurement = *evaluation.examined.measurement;
     guide.choice = followChoice(session, measurement, guide.protocol, guide.progress);
     guide.expected = forecast(measurement, evaluation.fit, guide.protocol, guide.progress);
-    guide.repeats = repeatsOf({measurement, evaluation.fit,
-                               evaluation.twoFaces ? &*evaluation.twoFaces : nullptr, evaluation.suspects},
-                              guide.progress);
+    guide.allToRepeat =
+        sightingsToRepeat({measurement, evaluation.fit, evaluation.twoFaces ? &*evaluation.twoFaces : nullptr,
+                           evaluation.suspects},
+                          guide.progress);
   }
   return std::make_shared<const Guide>(std::move(guide));
 }

@@ -7,8 +7,8 @@
 #include <vector>
 
 #include "core/adjustment/result/expected_reading.h"
-#include "core/guidance/repeats.h"
 #include "core/guidance/sighting_choice.h"
+#include "core/guidance/sightings_to_repeat.h"
 #include "core/session/protocol_progress.h"
 
 namespace alidade {
@@ -21,7 +21,7 @@ struct Guide {
   ProtocolProgress progress;
   std::vector<std::optional<ExpectedReading>> expected;  ///< for each sighting
   std::optional<SightingChoice> choice = {};             ///< in a protocol by worth
-  std::vector<Repeat> repeats;                           ///< misread sightings only after the search
+  std::vector<SightingsToRepeat> allToRepeat;            ///< misread sightings only after the search
   std::string problem = {};  ///< why the protocol cannot be followed; everything else is then empty
 };
 

@@ -72,13 +72,13 @@ class Assembly {
   /// Renumbers the turns stated in the file without gaps.
   void countTurns() {
     std::map<std::string, std::map<int, int>> numbers;
-    for (const RecordedSighting& sighting : m_sightings) numbers[sighting.axis.text][sighting.time];
+    for (const RecordedSighting& sighting : m_sightings) numbers[sighting.axis.text][sighting.repeat];
     for (auto& [axis, turns] : numbers) {
       int count = 0;
       for (auto& [stated, number] : turns) number = ++count;
     }
     for (RecordedSighting& sighting : m_sightings)
-      sighting.time = numbers.at(sighting.axis.text).at(sighting.time);
+      sighting.repeat = numbers.at(sighting.axis.text).at(sighting.repeat);
   }
 
   bool areSeveral() const { return m_files.size() > 1; }
@@ -251,13 +251,13 @@ class Assembly {
   Position& positionAt(const PositionKey& at) {
     std::vector<Position>& positions = m_import.session.positions;
     const Result<int> wanted = axisEntry(at.first);
-    int time = 0;
+    int repeat = 0;
     for (Position& position : positions) {
       const Result<int> has = axisEntry(position.axisDeg);
-      if ((wanted && has ? *has == *wanted : position.axisDeg == at.first) && ++time == at.second)
+      if ((wanted && has ? *has == *wanted : position.axisDeg == at.first) && ++repeat == at.second)
         return position;
     }
-    for (; time < at.second; ++time)
+    for (; repeat < at.second; ++repeat)
       positions.push_back({.axisDeg = at.first, .zero = {}, .readings = {}, .origin = {}});
     return positions.back();
   }

@@ -326,7 +326,7 @@ class CsvReader {
       const Result<int> turn = parseWhole(cell.text);
       if (!turn || *turn < 1)
         return Phrase::of("%1 is no turn: turns of the axis are numbered from 1", quotation(cell.text));
-      sighting.time = *turn;
+      sighting.repeat = *turn;
       m_recording.hasTurns = true;
     } else if (!field) {
       sighting.axis = {axisTextOf(fromPlainCell(cell.text)), cell.column};

@@ -39,7 +39,7 @@ struct RecordedSighting {
   /// The column in the line of each field of `rowFields`, in that order; counted as in LineProblem.
   std::array<std::size_t, rowFields.size()> columns{};
   bool isZero = false;                ///< a sighting of the pointing zero instead of the slider
-  int time = 1;                       ///< the repeat at its axis if `hasTurns`; else yet to be determined
+  int repeat = 1;                     ///< the repeat at its axis if `hasTurns`; else yet to be determined
   std::size_t file = 0;               ///< index of its file; readers of a file do not set it
   std::size_t station = 0;            ///< index among the recording's `stations`
   double distanceM = 0;               ///< 0: not in the file

@@ -32,7 +32,7 @@ std::string axisOf(const Position& position) {
 
 /// The sightings at an axis so far.
 struct AtAxis {
-  int time = 0;               ///< repeat of the current position; 0: there is none yet
+  int repeat = 0;             ///< repeat of the current position; 0: there is none yet
   std::set<Visited> sighted;  ///< visits in the current position
 };
 
@@ -61,7 +61,7 @@ std::map<std::string, AtAxis> lastPositions(const Session& base, std::string& la
   for (const Position& position : base.positions) {
     const std::string axis = axisOf(position);
     AtAxis& at = axes[axis];
-    at = {.time = ++count[axis], .sighted = {}};
+    at = {.repeat = ++count[axis], .sighted = {}};
     for (const Reading& row : position.readings)
       if (!row.point.empty()) at.sighted.insert(visited(row));
     if (!position.readings.empty()) last = axis;
@@ -80,7 +80,7 @@ std::set<Visited> placesOf(const Turn& turn) {
 }  // namespace
 
 PositionKey positionOf(const RecordedSighting& sighting) {
-  return {sighting.axis.text, sighting.time};
+  return {sighting.axis.text, sighting.repeat};
 }
 
 std::string nameOf(const PositionKey& key) {
@@ -88,9 +88,9 @@ std::string nameOf(const PositionKey& key) {
 }
 
 const Position* positionIn(const Session& session, const PositionKey& key) {
-  int time = 0;
+  int repeat = 0;
   for (const Position& position : session.positions)
-    if (axisOf(position) == key.first && ++time == key.second) return &position;
+    if (axisOf(position) == key.first && ++repeat == key.second) return &position;
   return nullptr;
 }
 
@@ -103,12 +103,12 @@ void takePositions(std::vector<RecordedSighting>& sightings, const Session& base
     const bool isAgain = turn.axis != last && std::ranges::any_of(places, [&at](const Visited& place) {
                            return at.sighted.contains(place);
                          });
-    if (at.time == 0 || isAgain) {
-      ++at.time;
+    if (at.repeat == 0 || isAgain) {
+      ++at.repeat;
       at.sighted.clear();
     }
     at.sighted.merge(places);
-    for (RecordedSighting* sighting : turn.sightings) sighting->time = at.time;
+    for (RecordedSighting* sighting : turn.sightings) sighting->repeat = at.repeat;
     last = turn.axis;
   }
 }

@@ -72,9 +72,9 @@ std::optional<ProtocolArcs> arcsOf(const Measurement& measurement, const Sightin
   if (known == protocol.positions.size()) return std::nullopt;
   const ArcMeasurement like = *arcOf(known);
   std::size_t further = positionCount(measurement, progress);
-  std::map<int, int> times;
+  std::map<int, int> repeats;
   for (std::size_t p = 0; p < protocol.positions.size(); ++p) {
-    const int axisDeg = protocol.positions[p].axisDeg, time = ++times[axisDeg];
+    const int axisDeg = protocol.positions[p].axisDeg, repeat = ++repeats[axisDeg];
     if (const ArcMeasurement* own = arcOf(p)) {
       arcs.positions.push_back(own->position);
       continue;
@@ -84,7 +84,7 @@ std::optional<ProtocolArcs> arcsOf(const Measurement& measurement, const Sightin
     ArcMeasurement arc;
     arc.position = arcs.positions.back();
     arc.axisDeg = axisDeg;
-    arc.time = time;
+    arc.repeat = repeat;
     arc.zeroHorizontal = wrapped(
         like.zeroHorizontal + circleTurn(protocol.positions[p]) - circleTurn(protocol.positions[known]),
         Angle::fromDegrees(180));

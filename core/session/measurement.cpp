@@ -245,13 +245,14 @@ class Examiner : private ProblemReporter {
       examined[i] = examinePosition(positions[i], i, firsts[i], zeros.ofPositions[i], m_circle);
     });
     std::vector<std::optional<ArcMeasurement>> arcs(positions.size());
-    std::map<int, int> times;
+    std::map<int, int> repeats;
     for (std::size_t i = 0; i < positions.size(); ++i) {
       const Place place{.position = i, .field = "axis_deg"};
       const std::optional<int> axis = take(axisEntry(positions[i].axisDeg), place);
-      const int time = axis ? ++times[*axis] : 1;
+      const int repeat = axis ? ++repeats[*axis] : 1;
       ExaminedPosition& own = examined[i];
-      if (time == 1 || isBegun(positions[i])) std::ranges::move(own.problems, std::back_inserter(m_problems));
+      if (repeat == 1 || isBegun(positions[i]))
+        std::ranges::move(own.problems, std::back_inserter(m_problems));
       const auto& zero = zeros.ofPositions[i].direction;
       if (axis && zero)
         arcs[i] = {i,
@@ -259,7 +260,7 @@ class Examiner : private ProblemReporter {
                    zero->horizontal,
                    zero->vertical,
                    std::move(own.sightings),
-                   time,
+                   repeat,
                    zero->sightings,
                    zero->each,
                    zeroElevation(zero->vertical)};

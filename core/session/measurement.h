@@ -118,7 +118,7 @@ struct ArcMeasurement {
   int axisDeg = 0;                     ///< 0 or 180
   Angle zeroHorizontal, zeroVertical;  ///< α0 and β0 as read, converted to face 1
   std::vector<Sighting> sightings;
-  int time = 1;  ///< repeat at this axis in the session
+  int repeat = 1;  ///< repeat at this axis in the session
   ZeroSightings zero = {};
   std::vector<SightedZero> zeroSightings = {};  ///< sightings that count; of a common zero, the first arc
                                                 ///< has those before its rows, the last those after

@@ -14,24 +14,24 @@ namespace alidade {
 namespace {
 
 /// A position's axis and its repeat at that axis.
-using AxisTime = std::pair<int, int>;
+using AxisRepeat = std::pair<int, int>;
 
-std::vector<AxisTime> axesOf(const SightingProtocol& protocol) {
-  std::vector<AxisTime> axes;
-  std::map<int, int> times;
+std::vector<AxisRepeat> axesOf(const SightingProtocol& protocol) {
+  std::vector<AxisRepeat> axes;
+  std::map<int, int> repeats;
   for (const ProtocolPosition& position : protocol.positions)
-    axes.emplace_back(position.axisDeg, ++times[position.axisDeg]);
+    axes.emplace_back(position.axisDeg, ++repeats[position.axisDeg]);
   return axes;
 }
 
 /// Indices of positions by axis and repeat, counted as in `Measurement`. Axis and repeat identify a position
 /// in any order of the file.
-std::map<AxisTime, std::size_t> positionsOf(const Session& session) {
-  std::map<AxisTime, std::size_t> positions;
-  std::map<int, int> times;
+std::map<AxisRepeat, std::size_t> positionsOf(const Session& session) {
+  std::map<AxisRepeat, std::size_t> positions;
+  std::map<int, int> repeats;
   for (std::size_t i = 0; i < session.positions.size(); ++i)
     if (const auto axis = axisEntry(session.positions[i].axisDeg))
-      positions.emplace(AxisTime(*axis, ++times[*axis]), i);
+      positions.emplace(AxisRepeat(*axis, ++repeats[*axis]), i);
   return positions;
 }
 
@@ -90,7 +90,7 @@ bool doRowsFollow(const Session& session, const SightingProtocol& protocol) {
   std::vector<std::size_t> followed(session.positions.size());  // rows of each position
   bool isPassed = false;                                        // a sighting has no row
   for (const PlannedSighting& planned : sightingsInOrder(protocol)) {
-    const auto position = positions.find({planned.axisDeg, planned.time});
+    const auto position = positions.find({planned.axisDeg, planned.repeat});
     if (planned.isZero || position == positions.end()) continue;
     const std::vector<Reading>& rows = session.positions[position->second].readings;
     std::size_t& row = followed[position->second];
@@ -120,7 +120,7 @@ class Follower {
     const auto positions = positionsOf(session);
     for (const PlannedSighting& planned : sightingsInOrder(protocol)) {
       FollowedSighting followed{planned};
-      const auto position = positions.find({planned.axisDeg, planned.time});
+      const auto position = positions.find({planned.axisDeg, planned.repeat});
       if (position != positions.end()) followed.position = position->second;
       m_progress.sightings.push_back(followed);
     }
@@ -293,11 +293,11 @@ class Follower {
 
 std::vector<PlannedSighting> sightingsInOrder(const SightingProtocol& protocol) {
   std::vector<PlannedSighting> sightings;
-  const std::vector<AxisTime> axes = axesOf(protocol);
+  const std::vector<AxisRepeat> axes = axesOf(protocol);
   for (std::size_t p = 0; p < protocol.positions.size(); ++p) {
     const ProtocolPosition& position = protocol.positions[p];
     const std::vector<ProtocolPlace>& places = protocol.placesOf(position);
-    const PlannedSighting here{.protocolPosition = p, .axisDeg = axes[p].first, .time = axes[p].second};
+    const PlannedSighting here{.protocolPosition = p, .axisDeg = axes[p].first, .repeat = axes[p].second};
     const auto sightZeros = [&](const std::vector<int>& faces, bool isAfter) {
       for (const int face : faces) {
         PlannedSighting zero = here;
@@ -390,7 +390,7 @@ std::string zeroField(const ZeroSlot& slot) {
 std::vector<int> positionsLacking(const Session& session, const SightingProtocol& protocol) {
   const auto positions = positionsOf(session);
   std::vector<int> lacking;
-  for (const AxisTime& axis : axesOf(protocol))
+  for (const AxisRepeat& axis : axesOf(protocol))
     if (!positions.contains(axis)) lacking.push_back(axis.first);
   return lacking;
 }

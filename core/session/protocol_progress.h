@@ -16,7 +16,7 @@ namespace alidade {
 /// One sighting of a protocol: of a place, or of a position's pointing zero.
 struct PlannedSighting {
   std::size_t protocolPosition = 0;  ///< index into the protocol's positions
-  int axisDeg = 0, time = 1;         ///< axis of the position, and repeat at that axis
+  int axisDeg = 0, repeat = 1;       ///< axis of the position, and repeat at that axis
   bool isZero = false;
   bool isAfter = false;  ///< the zero is sighted after the readings of its position
   int point = 0;         ///< point of a place; 0 for a zero

@@ -39,7 +39,7 @@ class ReadingBytes {
 
 void addArc(ReadingBytes& bytes, const ArcMeasurement& arc) {
   bytes.add(arc.axisDeg);
-  bytes.add(arc.time);
+  bytes.add(arc.repeat);
   bytes.add(arc.zeroHorizontal);
   bytes.add(arc.zeroVertical);
   bytes.add(std::uint64_t{arc.sightings.size()});

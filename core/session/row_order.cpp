@@ -21,10 +21,10 @@ std::optional<int> axisOf(const Position& position) {
 std::vector<std::size_t> positionsAsTaken(const Session& session) {
   std::vector<std::size_t> order(session.positions.size());
   std::iota(order.begin(), order.end(), std::size_t{0});
-  std::map<int, int> times;
+  std::map<int, int> repeats;
   bool comesAgain = false;
   for (const Position& position : session.positions)
-    if (const auto axis = axisOf(position)) comesAgain = ++times[*axis] > 1 || comesAgain;
+    if (const auto axis = axisOf(position)) comesAgain = ++repeats[*axis] > 1 || comesAgain;
   if (!comesAgain)
     std::stable_partition(order.begin(), order.end(),
                           [&](std::size_t i) { return axisOf(session.positions[i]) == 0; });

@@ -55,7 +55,7 @@ class Draw {
   void put(const std::string& kind) {
     if (kind == "none") return;
     if (kind == grossErrorId) return putGrossErrors();
-    if (kind == jumpId) return m_random.uniform() < 0.5 ? putJump() : putZeroSlip();
+    if (kind == jumpId) return m_random.uniform() < 0.5 ? putJump() : putWrongZero();
     if (kind == noiseId) {
       m_truth.noiseFactor = m_random.uniform(2, 4);
       return;
@@ -88,8 +88,8 @@ class Draw {
       m_truth.grossErrors = {anyGrossError(rows)};
       const TrueGrossError& one = m_truth.grossErrors.front();
       const bool again = std::ranges::any_of(errors, [&](const TrueGrossError& m) {
-        return std::tie(m.axisDeg, m.time, m.round, m.point) ==
-               std::tie(one.axisDeg, one.time, one.round, one.point);
+        return std::tie(m.axisDeg, m.repeat, m.round, m.point) ==
+               std::tie(one.axisDeg, one.repeat, one.round, one.point);
       });
       const std::optional<Visibility> shown = shownAs({});
       if (!again && shown && shown->sigma > clearVisibility) errors.push_back(one);
@@ -98,18 +98,18 @@ class Draw {
   }
 
   TrueGrossError anyGrossError(const std::vector<PlannedRow>& rows) {
-    constexpr double slips[] = {30, 60, 120, 300};  // arcseconds
+    constexpr double amounts[] = {30, 60, 120, 300};  // arcseconds
     const PlannedRow& row = anyRow(rows);
     const NumberedPosition position = anyPosition();
-    const Angle slip = Angle::fromArcseconds(sign() * slips[m_random.whole(0, 3)]);
+    const Angle error = Angle::fromArcseconds(sign() * amounts[m_random.whole(0, 3)]);
     const bool horizontal = m_random.uniform() < 0.5;
     return {.axisDeg = position.axisDeg,
             .round = row.round,
             .point = row.point,
             .face = row.face,
-            .horizontal = horizontal ? slip : Angle(),
-            .vertical = horizontal ? Angle() : slip,
-            .time = position.time};
+            .horizontal = horizontal ? error : Angle(),
+            .vertical = horizontal ? Angle() : error,
+            .repeat = position.repeat};
   }
 
   void putJump() {
@@ -118,13 +118,13 @@ class Draw {
   }
 
   /// Misreads a pointing zero in both circles. The closures show the horizontal error, hardly the vertical.
-  void putZeroSlip() {
+  void putWrongZero() {
     const NumberedPosition position = anyPosition();
     const double horizontal = sign() * m_random.uniform(20, 60), ratio = sign() * m_random.uniform(0.7, 1.4);
-    m_truth.zeroSlip = {.axisDeg = position.axisDeg,
-                        .horizontal = Angle::fromArcseconds(horizontal),
-                        .vertical = Angle::fromArcseconds(ratio * horizontal),
-                        .time = position.time};
+    m_truth.wrongZero = {.axisDeg = position.axisDeg,
+                         .horizontal = Angle::fromArcseconds(horizontal),
+                         .vertical = Angle::fromArcseconds(ratio * horizontal),
+                         .repeat = position.repeat};
   }
 
   /// Lets a quarter of the sessions state their true Δd as a reference, with an error of `sigma`.
@@ -246,9 +246,9 @@ class Draw {
     return found ? std::optional(*found) : std::nullopt;
   }
 
-  /// The visibility of an effect, or of a zero slip.
+  /// The visibility of an effect, or of a wrong zero.
   std::optional<Visibility> visibility(const std::string& kind) const {
-    const bool isAlone = effectIn(m_options, kind) || m_truth.zeroSlip;
+    const bool isAlone = effectIn(m_options, kind) || m_truth.wrongZero;
     return isAlone && kind != relationId ? shownAs(kind) : std::nullopt;
   }
 };

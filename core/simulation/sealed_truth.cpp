@@ -34,18 +34,18 @@ void addGrossError(SealedTruth& truth, GrossErrorCell cell, double horizontal, d
 /// Reads misread cells from `list`. False if one does not identify its reading by whole numbers.
 bool readGrossErrors(const Json& list, SealedTruth& truth) {
   constexpr double mostCells = 1e9;
-  for (const Json& blunder : list) {
+  for (const Json& grossError : list) {
     std::array<int, 4> place{};
     for (std::size_t i = 0; i < place.size(); ++i) {
-      const double number = blunder.at(i).get<double>();
+      const double number = grossError.at(i).get<double>();
       if (!(std::abs(number) <= mostCells) || number != std::trunc(number)) return false;
       place[i] = static_cast<int>(number);
     }
     if (place[0] < 0) return false;
-    const auto [axisDeg, time] = NumberedPosition::of(place[0]);
-    addGrossError(truth,
-                  {.axisDeg = axisDeg, .round = place[1], .point = place[2], .face = place[3], .time = time},
-                  blunder.at(4), blunder.at(5));
+    const auto [axisDeg, repeat] = NumberedPosition::of(place[0]);
+    addGrossError(
+        truth, {.axisDeg = axisDeg, .round = place[1], .point = place[2], .face = place[3], .repeat = repeat},
+        grossError.at(4), grossError.at(5));
   }
   std::ranges::sort(truth.grossErrors);
   return true;
@@ -81,10 +81,10 @@ std::size_t lettersApart(std::string_view a, std::string_view b) {
 
 /// Is `kind` a mistyped name of a diagnosable effect?
 bool isMistyped(const std::string& kind) {
-  constexpr std::size_t longest = 64, slips = 2;
+  constexpr std::size_t longest = 64, mostWrong = 2;
   return !isDiagnosable(kind) && kind.size() <= longest &&
          std::ranges::any_of(diagnosableEffects(),
-                             [&](const auto& id) { return lettersApart(kind, id) <= slips; });
+                             [&](const auto& id) { return lettersApart(kind, id) <= mostWrong; });
 }
 
 /// The effect's id for names of other test generators: a drift with repeatedly sighted zeros, and readings
@@ -159,9 +159,9 @@ SealedTruth sealed(const std::string& id, const Truth& truth, const std::optiona
     for (const LookAlike& other : visibility->lookAlikes) seal.lookAlikes.push_back(other.effect);
   }
   for (const TrueGrossError& m : truth.grossErrors)
-    addGrossError(seal,
-                  {.axisDeg = m.axisDeg, .round = m.round, .point = m.point, .face = m.face, .time = m.time},
-                  m.horizontal.radians(), m.vertical.radians());
+    addGrossError(
+        seal, {.axisDeg = m.axisDeg, .round = m.round, .point = m.point, .face = m.face, .repeat = m.repeat},
+        m.horizontal.radians(), m.vertical.radians());
   std::ranges::sort(seal.grossErrors);
   return seal;
 }

@@ -17,7 +17,7 @@ namespace alidade {
 struct GrossErrorCell {
   int axisDeg = 0, round = 1, point = 1, face = 1;
   ReadingKind circle = ReadingKind::Horizontal;
-  int time = 1;  ///< the repeat at this axis
+  int repeat = 1;  ///< the repeat at this axis
 
   auto operator<=>(const GrossErrorCell&) const = default;
 };

@@ -13,9 +13,9 @@ namespace alidade {
 namespace {
 
 std::string rowName(const TrueGrossError& m) {
-  return "axis " + std::to_string(m.axisDeg) + "°" + (m.time > 1 ? ", time " + std::to_string(m.time) : "") +
-         ", round " + std::to_string(m.round) + ", point " + std::to_string(m.point) + ", face " +
-         std::to_string(m.face);
+  return "axis " + std::to_string(m.axisDeg) + "°" +
+         (m.repeat > 1 ? ", time " + std::to_string(m.repeat) : "") + ", round " + std::to_string(m.round) +
+         ", point " + std::to_string(m.point) + ", face " + std::to_string(m.face);
 }
 
 /// Simulates the rows of a session in order.
@@ -49,7 +49,7 @@ class Simulator {
 
  private:
   bool plans(const TrueGrossError& error) const {
-    return error.time <= std::ranges::count(m_protocol.axes, error.axisDeg) &&
+    return error.repeat <= std::ranges::count(m_protocol.axes, error.axisDeg) &&
            std::ranges::find(m_plan, PlannedRow{error.round, error.point, error.face}) != m_plan.end();
   }
 
@@ -84,7 +84,7 @@ class Simulator {
   }
 
   Position position(int axisDeg, std::size_t index) {
-    m_time = static_cast<int>(std::count(
+    m_repeat = static_cast<int>(std::count(
         m_protocol.axes.begin(), m_protocol.axes.begin() + static_cast<std::ptrdiff_t>(index) + 1, axisDeg));
     const PerfectReadings perfect(
         m_truth, axisDeg, m_truth.horizontalZero + m_protocol.circleShift * static_cast<double>(index));
@@ -92,9 +92,10 @@ class Simulator {
     position.axisDeg = std::to_string(axisDeg);
     const bool inFull = m_truth.sightsZerosInFull;
     CircleReadings misread = perfect.zero(1, moment(m_plan.front()));
-    if (const auto& slip = m_truth.zeroSlip; slip && slip->axisDeg == axisDeg && slip->time == m_time) {
-      misread.horizontal = misread.horizontal - slip->horizontal;
-      misread.vertical = misread.vertical - slip->vertical;
+    if (const auto& wrong = m_truth.wrongZero;
+        wrong && wrong->axisDeg == axisDeg && wrong->repeat == m_repeat) {
+      misread.horizontal = misread.horizontal - wrong->horizontal;
+      misread.vertical = misread.vertical - wrong->vertical;
     }
     const ZeroSighting first = zero(misread);
     position.zero.horizontal = first.horizontal;
@@ -131,7 +132,8 @@ class Simulator {
     circles.horizontal = circles.horizontal + noise(m_truth.sigmaHorizontal * factor);
     circles.vertical = circles.vertical + noise(m_truth.sigmaVertical * factor);
     for (const TrueGrossError& m : m_truth.grossErrors) {
-      if (m.axisDeg != axisDeg || m.time != m_time || PlannedRow{m.round, m.point, m.face} != row) continue;
+      if (m.axisDeg != axisDeg || m.repeat != m_repeat || PlannedRow{m.round, m.point, m.face} != row)
+        continue;
       circles.horizontal = circles.horizontal + m.horizontal;
       circles.vertical = circles.vertical + m.vertical;
     }
@@ -158,7 +160,7 @@ class Simulator {
   Angle m_step;
   std::vector<PlannedRow> m_plan;
   std::size_t m_rows = 0, m_taken = 0;
-  int m_time = 1;  ///< the repeat at its axis
+  int m_repeat = 1;  ///< the repeat at its axis
   Angle m_place;
   std::string m_slider;
 };

@@ -36,7 +36,7 @@ std::vector<GrossErrorCell> cellsOf(const Diagnosis& diagnosis) {
   for (const Cause& cause : diagnosis.causes)
     for (const ReadingDeviation& reading : cause.readings)
       cells.push_back(
-          {reading.axisDeg, reading.round, reading.point, reading.face, reading.kind, reading.time});
+          {reading.axisDeg, reading.round, reading.point, reading.face, reading.kind, reading.repeat});
   std::ranges::sort(cells);
   return cells;
 }

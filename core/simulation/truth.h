@@ -27,10 +27,10 @@ struct OrientationJump {
 
 /// A pointing zero misread in face 1, before the rows of its position: it shifts all readings of that
 /// position.
-struct TrueZeroSlip {
+struct TrueWrongZero {
   int axisDeg = 0;
   Angle horizontal, vertical;  ///< the zero reads this much too little; in face 1
-  int time = 1;                ///< the repeat at this axis
+  int repeat = 1;              ///< the repeat at this axis
 };
 
 /// A radial form error of any order, outside the catalogue: A cos ns + B sin ns.
@@ -43,14 +43,14 @@ struct FormHarmonic {
 struct TrueGrossError {
   int axisDeg = 0, round = 1, point = 1, face = 1;
   Angle horizontal, vertical;  ///< added to the circle readings
-  int time = 1;                ///< the repeat at this axis
+  int repeat = 1;              ///< the repeat at this axis
 };
 
 /// Position numbers in truth files, with alternating axes: 0 at 0°, 1 at 180°, 2 at 0° again, …
 struct NumberedPosition {
-  int axisDeg = 0, time = 1;
+  int axisDeg = 0, repeat = 1;
 
-  int number() const { return 2 * (time - 1) + (axisDeg == 0 ? 0 : 1); }
+  int number() const { return 2 * (repeat - 1) + (axisDeg == 0 ? 0 : 1); }
   static NumberedPosition of(int number) { return {number % 2 == 0 ? 0 : 180, number / 2 + 1}; }
 };
 
@@ -75,7 +75,7 @@ struct Truth {
   std::vector<TrueSize> effects;               ///< each term at most once
   std::shared_ptr<const OwnEffects> own = {};  ///< the user's own, which `effects` may hold; null: none
   std::optional<OrientationJump> jump = {};
-  std::optional<TrueZeroSlip> zeroSlip = {};
+  std::optional<TrueWrongZero> wrongZero = {};
   std::optional<FormHarmonic> harmonic = {};
   std::optional<ForeignEffect> foreign = {};
   std::vector<TrueGrossError> grossErrors = {};

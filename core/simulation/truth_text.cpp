@@ -20,7 +20,7 @@ using OrderedJson = nlohmann::ordered_json;
 using Numbers = std::vector<double>;
 
 constexpr const char* harmonicId = "form_harmonic";
-constexpr const char* zeroSlipId = "zero_slip";
+constexpr const char* wrongZeroId = "zero_slip";
 
 /// plane_tilt.x for the parameter "tilt about x" of plane_tilt; the effect's id for an only parameter.
 std::string nameOf(const Effect& effect, const EffectParameter& parameter) {
@@ -64,7 +64,7 @@ bool isWhole(double number, double least) {
   return number >= least && number == std::floor(number) && number < 1e9;
 }
 
-constexpr const char* timeToo = ", and where the axis is measured again the how many-th time is meant";
+constexpr const char* repeatToo = ", and where the axis is measured again the how many-th time is meant";
 
 /// Are these `count` numbers that begin with an axis, perhaps followed by the repeat at that axis?
 bool areOfAxis(const Numbers& numbers, std::size_t count) {
@@ -72,16 +72,16 @@ bool areOfAxis(const Numbers& numbers, std::size_t count) {
   return numbers[0] == 0 || numbers[0] == 180;
 }
 
-int timeIn(const Numbers& numbers, std::size_t count) {
+int repeatIn(const Numbers& numbers, std::size_t count) {
   return numbers.size() > count ? static_cast<int>(numbers[count]) : 1;
 }
 
-std::optional<Problem> addZeroSlip(Truth& truth, const Numbers& numbers) {
+std::optional<Problem> addWrongZero(Truth& truth, const Numbers& numbers) {
   if (!areOfAxis(numbers, 3))
-    return wantsNumbers(zeroSlipId, "the axis (0 or 180), the horizontal and the vertical step (arcsec)" +
-                                        std::string(timeToo));
-  truth.zeroSlip = {static_cast<int>(numbers[0]), Angle::fromArcseconds(numbers[1]),
-                    Angle::fromArcseconds(numbers[2]), timeIn(numbers, 3)};
+    return wantsNumbers(wrongZeroId, "the axis (0 or 180), the horizontal and the vertical step (arcsec)" +
+                                         std::string(repeatToo));
+  truth.wrongZero = {static_cast<int>(numbers[0]), Angle::fromArcseconds(numbers[1]),
+                     Angle::fromArcseconds(numbers[2]), repeatIn(numbers, 3)};
   return std::nullopt;
 }
 
@@ -97,10 +97,10 @@ std::optional<Problem> addGrossError(Truth& truth, const Numbers& n) {
   if (!areOfAxis(n, 6) || !isWhole(n[1], 1) || !isWhole(n[2], 0) || (n[3] != 1 && n[3] != 2))
     return wantsNumbers(grossErrorId,
                         "axis (0 or 180), round, point, face and the horizontal and vertical error (arcsec)" +
-                            std::string(timeToo));
+                            std::string(repeatToo));
   truth.grossErrors.push_back({static_cast<int>(n[0]), static_cast<int>(n[1]), static_cast<int>(n[2]),
                                static_cast<int>(n[3]), Angle::fromArcseconds(n[4]),
-                               Angle::fromArcseconds(n[5]), timeIn(n, 6)});
+                               Angle::fromArcseconds(n[5]), repeatIn(n, 6)});
   return std::nullopt;
 }
 
@@ -127,9 +127,9 @@ struct OtherEffect {
 
 constexpr std::array otherEffects = {
     OtherEffect{jumpId, "moment (0…1),horizontal,vertical (arcsec)", &addJump},
-    OtherEffect{zeroSlipId,
+    OtherEffect{wrongZeroId,
                 "axis,horizontal,vertical[,time] (arcsec): a jump between its zero and its first place",
-                &addZeroSlip},
+                &addWrongZero},
     OtherEffect{grossErrorId, "axis,round,point,face,horizontal,vertical[,time] (arcsec); may be repeated",
                 &addGrossError},
     OtherEffect{noiseId, "true noise over the stated", &addNoise},
@@ -154,9 +154,9 @@ OrderedJson effectsJson(const Truth& truth) {
   if (truth.jump)
     effects[jumpId] = {truth.jump->moment, truth.jump->horizontal.arcseconds(),
                        truth.jump->vertical.arcseconds()};
-  if (truth.zeroSlip)
-    effects[zeroSlipId] = {NumberedPosition{truth.zeroSlip->axisDeg, truth.zeroSlip->time}.number(),
-                           truth.zeroSlip->horizontal.arcseconds(), truth.zeroSlip->vertical.arcseconds()};
+  if (truth.wrongZero)
+    effects[wrongZeroId] = {NumberedPosition{truth.wrongZero->axisDeg, truth.wrongZero->repeat}.number(),
+                            truth.wrongZero->horizontal.arcseconds(), truth.wrongZero->vertical.arcseconds()};
   if (truth.harmonic)
     effects[harmonicId] = {truth.harmonic->order, truth.harmonic->cosine, truth.harmonic->sine};
   if (truth.foreign)
@@ -165,12 +165,12 @@ OrderedJson effectsJson(const Truth& truth) {
   return effects;
 }
 
-OrderedJson blundersJson(const Truth& truth) {
-  OrderedJson blunders = OrderedJson::array();
+OrderedJson grossErrorsJson(const Truth& truth) {
+  OrderedJson grossErrors = OrderedJson::array();
   for (const TrueGrossError& m : truth.grossErrors)
-    blunders.push_back({NumberedPosition{m.axisDeg, m.time}.number(), m.round, m.point, m.face,
-                        m.horizontal.arcseconds(), m.vertical.arcseconds()});
-  return blunders;
+    grossErrors.push_back({NumberedPosition{m.axisDeg, m.repeat}.number(), m.round, m.point, m.face,
+                           m.horizontal.arcseconds(), m.vertical.arcseconds()});
+  return grossErrors;
 }
 
 }  // namespace
@@ -225,7 +225,7 @@ std::vector<std::string> trueCauses(const Truth& truth) {
   const auto turns = [](const auto& step) {
     return step.horizontal.radians() != 0 || step.vertical.radians() != 0;
   };
-  if ((truth.jump && turns(*truth.jump)) || (truth.zeroSlip && turns(*truth.zeroSlip)))
+  if ((truth.jump && turns(*truth.jump)) || (truth.wrongZero && turns(*truth.wrongZero)))
     causes.emplace_back(jumpId);
   if (std::ranges::any_of(truth.grossErrors, turns)) causes.emplace_back(grossErrorId);
   if (truth.noiseFactor > 1) causes.emplace_back(noiseId);
@@ -252,7 +252,7 @@ std::string truthJson(const std::string& id, const Truth& truth) {
                       {"centre_x_mm", truth.centreX},
                       {"axis_height_mm", truth.axisHeight},
                       {"distance_mm", truth.distance},
-                      {"blunders", blundersJson(truth)},
+                      {"blunders", grossErrorsJson(truth)},
                       {"kind", kindOf(truth)},
                       {"protocol", truth.protocol},
                       {"reference", truth.sigmaReference.has_value()}};

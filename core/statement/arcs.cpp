@@ -4,7 +4,7 @@
 #include <cmath>
 #include <utility>
 
-#include "core/adjustment/result/axis_misfit.h"
+#include "core/adjustment/result/axis_residual_sum.h"
 #include "core/base/list_text.h"
 #include "core/base/phrase.h"
 #include "core/base/quantity_text.h"
@@ -47,15 +47,15 @@ struct Lengths {
 Cells cellsOf(const SessionFit& fit, std::size_t arc, const Lengths& lengths) {
   const Circle& circle = fit.arcs[arc].circle;
   const ArcSigma& sigma = fit.sigmas[arc];
-  const AxisMisfit misfit = misfitAt(fit, fit.arcs[arc].axisDeg);
+  const AxisResidualSum sum = residualSumAt(fit, fit.arcs[arc].axisDeg);
   return {arcName(fit.arcs[arc].axisDeg),
           lengths.withU(circle.x, sigma.x),
           lengths.withU(circle.y, sigma.y),
           lengths.withU(circle.radius, sigma.radius),
-          std::to_string(misfit.sightings),
-          displayText(misfit.residualRms, 2),
-          misfit.degreesOfFreedom > 0 ? displayText(misfit.reducedChiSquare(), 2) : "—",
-          std::to_string(misfit.degreesOfFreedom)};
+          std::to_string(sum.sightings),
+          displayText(sum.residualRms, 2),
+          sum.degreesOfFreedom > 0 ? displayText(sum.reducedChiSquare(), 2) : "—",
+          std::to_string(sum.degreesOfFreedom)};
 }
 
 }  // namespace
@@ -90,7 +90,7 @@ Statement arcTable(const SessionFit& fit) {
     for (const ArcFit& arc : fit.arcs)
       if (isHere(arc))
         statement.rows.push_back(
-            {.cells = {positionName(axisDeg, arc.time), "", "", "", std::to_string(arc.residuals.size()),
+            {.cells = {positionName(axisDeg, arc.repeat), "", "", "", std::to_string(arc.residuals.size()),
                        displayText(arc.residualRms, 2), "", ""},
              .isPart = true});
   }

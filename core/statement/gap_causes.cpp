@@ -167,7 +167,7 @@ class Rows {
     const auto& arcs = m_gap.evaluation->examined.measurement->arcs;
     const auto arc = std::ranges::find(arcs, *jump.place.position, &ArcMeasurement::position);
     //: a position and a row of it: "before 0°, row 35"
-    return Phrase::of("before %1, row %2", positionName(arc->axisDeg, arc->time), *jump.place.reading + 1);
+    return Phrase::of("before %1, row %2", positionName(arc->axisDeg, arc->repeat), *jump.place.reading + 1);
   }
 
   void add(const FoundForm& form, bool isFirst) {

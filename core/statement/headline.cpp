@@ -197,8 +197,8 @@ std::string Headline::line(Line::Kind kind) const {
 }
 
 std::string Headline::condition() const {
-  const std::string gap = line(Line::Kind::Gap), knock = line(Line::Kind::Knock);
-  return gap.empty() || knock.empty() ? gap + knock : Phrase::of("%1. %2", gap, knock);
+  const std::string gap = line(Line::Kind::Gap), jump = line(Line::Kind::Jump);
+  return gap.empty() || jump.empty() ? gap + jump : Phrase::of("%1. %2", gap, jump);
 }
 
 Headline headlineOf(const Evaluation& evaluation) {

@@ -27,7 +27,7 @@ struct Headline {
       Interval,      ///< an interval crosses the limit, so the verdict is open
       Across,        ///< Δz; for a tolerance of the distance, Δd and Δz
       Gap,           ///< model and readings disagree: the condition of the verdict, or why it is open
-      Knock,         ///< the verdict holds unless the tripod was knocked
+      Jump,          ///< the verdict holds unless the tripod was knocked
       Row,           ///< the verdict depends on a single row
       Undetectable,  ///< effects that these readings cannot show, of which a plausible size moves Δd by more
                      ///< than U
@@ -61,7 +61,7 @@ struct Headline {
   std::string verdictAndTolerance() const;
   /// The text of the line of this kind; empty without it.
   std::string line(Line::Kind kind) const;
-  /// The condition of the verdict, or why it is open: the lines `Gap` and `Knock`; may be empty.
+  /// The condition of the verdict, or why it is open: the lines `Gap` and `Jump`; may be empty.
   std::string condition() const;
 };
 

@@ -149,8 +149,8 @@ std::string gapText(const Diagnosis& diagnosis, const AcceptanceDecision* decisi
       closures);
 }
 
-std::string knockText(const Diagnosis& diagnosis, const AcceptanceDecision& decision) {
-  const auto [moments, influence] = knockOf(diagnosis, decision);
+std::string jumpText(const Diagnosis& diagnosis, const AcceptanceDecision& decision) {
+  const auto [moments, influence] = jumpConditionOf(diagnosis, decision);
   return Phrase::of(
       "The verdict holds only if the tripod was not knocked %1: a knock would move Δd by ± %2 mm undetected, "
       "which U does not include",
@@ -164,10 +164,10 @@ std::string undetectableName(const Diagnosis& diagnosis, const std::string& effe
 }
 
 /// The effects with an influence above U. A jump is left out if the verdict states it as a condition.
-std::string undetectableText(const Diagnosis& diagnosis, double expanded, bool isKnockStated) {
+std::string undetectableText(const Diagnosis& diagnosis, double expanded, bool isJumpStated) {
   std::vector<std::string> effects;
   for (const UndetectableEffect& effect : undetectableBeyond(diagnosis, expanded))
-    if (!(isKnockStated && effect.effect == jumpId))
+    if (!(isJumpStated && effect.effect == jumpId))
       effects.push_back(Phrase::of("%1 ± %2 mm", undetectableName(diagnosis, effect.effect),
                                    displayText(effect.influence, decimalsFor(effect.influence))));
   if (effects.empty()) return "";
@@ -222,16 +222,16 @@ std::vector<Line> headlineLines(const Measurement& measurement, const SessionFit
   const auto warn = [&](Line::Kind kind, std::string text) {
     if (!text.empty()) lines.push_back({.kind = kind, .text = std::move(text), .isWarning = true});
   };
-  const bool isKnockStated = decision && !decision->conditions.empty();
+  const bool isJumpStated = decision && !decision->conditions.empty();
   const MeasuredIntersection* measured = diagnosis && diagnosis->measured ? &*diagnosis->measured : nullptr;
   warn(Line::Kind::Interval, intervalText(measurement, fit, estimateIn(fit, diagnosis), measured, decision));
   if (measured) lines.push_back(acrossLine(measurement, *measured));
   if (diagnosis && hasGap(*diagnosis)) warn(Line::Kind::Gap, gapText(*diagnosis, decision));
-  if (diagnosis && isKnockStated) warn(Line::Kind::Knock, knockText(*diagnosis, *decision));
+  if (diagnosis && isJumpStated) warn(Line::Kind::Jump, jumpText(*diagnosis, *decision));
   warn(Line::Kind::Row, dependenceText(dependences));
   if (diagnosis)
     warn(Line::Kind::Undetectable,
-         undetectableText(*diagnosis, estimateIn(fit, diagnosis).expanded, isKnockStated));
+         undetectableText(*diagnosis, estimateIn(fit, diagnosis).expanded, isJumpStated));
   if (measurement.referenceIntersection)
     lines.push_back(referenceLine(measurement, fit, estimateIn(fit, diagnosis)));
   return lines;

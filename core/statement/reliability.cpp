@@ -29,7 +29,8 @@ std::string nameOf(const Measurement& measurement, const SessionFit& fit, const 
   const std::size_t position = fit.arcs[adjusted.arc].position;
   const ArcMeasurement& arc = *std::ranges::find(measurement.arcs, position, &ArcMeasurement::position);
   const Sighting& sighting = arc.sightings[adjusted.sighting];
-  std::vector<std::string> parts{positionName(arc.axisDeg, arc.time), Phrase::of("point %1", sighting.point)};
+  std::vector<std::string> parts{positionName(arc.axisDeg, arc.repeat),
+                                 Phrase::of("point %1", sighting.point)};
   if (sighting.round != 1) parts.push_back(Phrase::of("round %1", sighting.round));
   if (sighting.face != 1) parts.push_back(faceName(sighting.face));
   parts.push_back(inWords(adjusted.kind));
@@ -42,7 +43,7 @@ std::string nameOf(const SessionFit& fit, const Unknown& input) {
   const std::string zero = input.kind == Unknown::Kind::HorizontalZero ? Phrase::of("horizontal zero")
                                                                        : Phrase::of("vertical zero");
   if (input.arc == Unknown::everyArc) return zero;
-  return listed({positionName(fit.arcs[input.arc].axisDeg, fit.arcs[input.arc].time), zero});
+  return listed({positionName(fit.arcs[input.arc].axisDeg, fit.arcs[input.arc].repeat), zero});
 }
 
 std::string influenceText(const InputReliability& input, const SessionFit& fit) {

@@ -57,9 +57,9 @@ Statement faceDifferences(const Measurement& measurement, const TwoFaces& faces)
     const ArcMeasurement& arc = measurement.arcs[visit.arc];
     const Sighting& sighting = arc.sightings[visit.faceOne];
     statement.rows.push_back(
-        {{positionName(arc.axisDeg, arc.time), std::to_string(sighting.round), std::to_string(sighting.point),
-          displayText(visit.elevation.degrees(), 3), seconds(visit.doubleCollimation),
-          seconds(visit.fromCourse), seconds(visit.index)}});
+        {{positionName(arc.axisDeg, arc.repeat), std::to_string(sighting.round),
+          std::to_string(sighting.point), displayText(visit.elevation.degrees(), 3),
+          seconds(visit.doubleCollimation), seconds(visit.fromCourse), seconds(visit.index)}});
   }
   return statement;
 }

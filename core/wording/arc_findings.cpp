@@ -73,7 +73,7 @@ Words wordsOf(const ReadingsRepeat& finding) {
 
 Words wordsOf(const ArcFinding& finding) {
   Words words = std::visit([](const auto& kind) { return wordsOf(kind); }, finding.what);
-  words.text = Phrase::of("%1: %2", positionName(finding.axisDeg, finding.time), words.text);
+  words.text = Phrase::of("%1: %2", positionName(finding.axisDeg, finding.repeat), words.text);
   return words;
 }
 

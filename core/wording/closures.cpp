@@ -16,14 +16,14 @@ std::string nameInWords(const Closure::Repeated& repeated) {
   const std::string quantity = repeated.quantity == Unknown::Kind::Radius    ? "R"
                                : repeated.quantity == Unknown::Kind::CentreX ? "Δx"
                                                                              : "Δy";
-  return quantity + "(" + positionName(repeated.axisDeg, repeated.time) + ") − " + quantity + "(" +
+  return quantity + "(" + positionName(repeated.axisDeg, repeated.repeat) + ") − " + quantity + "(" +
          positionName(repeated.axisDeg) + ")";
 }
 
 /// The name of a misclosure of pointing zeros: "α0(180°) − first α0".
 std::string nameOfZeros(const Closure& closure) {
   const Closure::Repeated later = closure.repeated.value_or(Closure::Repeated{180, 1, {}});
-  const std::string position = positionName(later.axisDeg, later.time);
+  const std::string position = positionName(later.axisDeg, later.repeat);
   return closure.of == Closure::Of::ZeroAzimuth ? Phrase::of("α0(%1) − first α0", position)
                                                 : Phrase::of("β0(%1) − first β0", position);
 }

@@ -18,7 +18,7 @@ namespace alidade {
 namespace {
 
 std::string rowText(const Dependence& row) {
-  const std::string position = positionName(row.axisDeg, row.time);
+  const std::string position = positionName(row.axisDeg, row.repeat);
   if (row.round == 1 && row.face == 1) return Phrase::of("%1 point %2", position, row.point);
   return Phrase::of("%1 point %2 (round %3, %4)", position, row.point, row.round, faceName(row.face));
 }
@@ -87,12 +87,12 @@ std::string failureText(const Closure& closure) {
 }  // namespace
 
 std::string momentText(const UndetectableJump& jump) {
-  const std::string position = positionName(jump.axisDeg, jump.time);
+  const std::string position = positionName(jump.axisDeg, jump.repeat);
   return jump.isAfterZero ? Phrase::of("between the pointing zero and the first sighting at %1", position)
                           : Phrase::of("during the readings at %1", position);
 }
 
-ConditionalKnock knockOf(const Diagnosis& diagnosis, const AcceptanceDecision& decision) {
+ConditionalJump jumpConditionOf(const Diagnosis& diagnosis, const AcceptanceDecision& decision) {
   std::vector<std::string> moments;
   double influence = 0;
   for (const std::size_t i : decision.conditions) {
@@ -104,7 +104,7 @@ ConditionalKnock knockOf(const Diagnosis& diagnosis, const AcceptanceDecision& d
 
 std::string conditionSentence(const Diagnosis* diagnosis, const AcceptanceDecision& decision) {
   if (!diagnosis || decision.conditions.empty()) return "";
-  const auto [moments, influence] = knockOf(*diagnosis, decision);
+  const auto [moments, influence] = jumpConditionOf(*diagnosis, decision);
   return Phrase::of(
       "The verdict holds on the condition that the tripod was not knocked %1. These readings cannot show "
       "such a knock; one of plausible size moves Δd by ± %2 mm. The probability of conformity includes a "

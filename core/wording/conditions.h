@@ -14,12 +14,12 @@ namespace alidade {
 std::string momentText(const UndetectableJump& jump);
 
 /// The jump whose absence is a condition of the verdict.
-struct ConditionalKnock {
+struct ConditionalJump {
   std::string moments;    ///< when it may have happened: "during the readings at 0° or …"
   std::string influence;  ///< the largest change of Δd by a jump of plausible size, in mm: "0.36"
 };
 /// `decision` was made with `diagnosis` and has conditions.
-ConditionalKnock knockOf(const Diagnosis& diagnosis, const AcceptanceDecision& decision);
+ConditionalJump jumpConditionOf(const Diagnosis& diagnosis, const AcceptanceDecision& decision);
 
 /// "The verdict holds on the condition that the tripod was not knocked …"; empty without conditions.
 /// `decision` was made with `diagnosis`.

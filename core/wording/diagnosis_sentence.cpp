@@ -120,7 +120,7 @@ std::string headlineOf(const Diagnosis& diagnosis) {
 }
 
 std::string readingName(const ReadingDeviation& reading) {
-  std::vector<std::string> where{positionName(reading.axisDeg, reading.time),
+  std::vector<std::string> where{positionName(reading.axisDeg, reading.repeat),
                                  Phrase::of("point %1", reading.point), inWords(reading.kind)};
   if (reading.round != 1) where.push_back(Phrase::of("round %1", reading.round));
   if (reading.face != 1) where.push_back(faceName(reading.face));

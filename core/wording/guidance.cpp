@@ -27,18 +27,18 @@ std::string joined(const std::vector<std::string>& sentences) {
   return text;
 }
 
-std::string deviationText(const Repeat& repeat) {
-  if (std::isnan(repeat.size)) return "";
-  const std::string sign = repeat.size < 0 ? "" : "+";
-  return sign + displayText(repeat.size, 1) + "″";
+std::string deviationText(const SightingsToRepeat& toRepeat) {
+  if (std::isnan(toRepeat.size)) return "";
+  const std::string sign = toRepeat.size < 0 ? "" : "+";
+  return sign + displayText(toRepeat.size, 1) + "″";
 }
 
-std::string circleName(const Repeat& repeat) {
-  return inWords(repeat.kind.value_or(ReadingKind::Horizontal));
+std::string circleName(const SightingsToRepeat& toRepeat) {
+  return inWords(toRepeat.kind.value_or(ReadingKind::Horizontal));
 }
 
 /// Selects from each pair U of Δd, measured, or U of Δd, fit only.
-struct Account {
+struct UncertaintyChoice {
   bool isMeasured = false;
 
   double of(const ExpandedPair& pair) const {
@@ -47,7 +47,7 @@ struct Account {
 };
 
 /// Selects U of Δd, measured, if the outlook has it; otherwise U of Δd, fit only.
-Account rulingAccount(const Outlook& outlook) {
+UncertaintyChoice uncertaintyChoice(const Outlook& outlook) {
   const ExpandedPair* any = outlook.now             ? &*outlook.now
                             : outlook.ahead.empty() ? nullptr
                                                     : &outlook.ahead.front().expanded;
@@ -57,9 +57,9 @@ Account rulingAccount(const Outlook& outlook) {
 /// Formats the lengths of one sentence with the same number of decimals.
 class Lengths {
  public:
-  explicit Lengths(const Outlook& outlook, Account account) {
+  explicit Lengths(const Outlook& outlook, UncertaintyChoice choice) {
     double least = INFINITY;
-    const auto see = [&](const ExpandedPair& pair) { least = std::min(least, account.of(pair)); };
+    const auto see = [&](const ExpandedPair& pair) { least = std::min(least, choice.of(pair)); };
     if (outlook.now) see(*outlook.now);
     for (const RoundsAhead& ahead : outlook.ahead) see(ahead.expanded);
     m_decimals = decimalsFor(least);
@@ -78,40 +78,40 @@ std::string moreRounds(int rounds) {
 }
 
 /// The effect of the remaining protocol and of more rounds, if no verdict requires a certain U.
-std::string withoutNeed(const Outlook& outlook, const ProtocolProgress& progress, Account account,
+std::string withoutNeed(const Outlook& outlook, const ProtocolProgress& progress, UncertaintyChoice choice,
                         const Lengths& text) {
   std::vector<std::string> sentences;
-  const double planned = account.of(outlook.ahead.front().expanded);
+  const double planned = choice.of(outlook.ahead.front().expanded);
   if (!progress.isComplete())
     sentences.push_back(outlook.now
                             ? Phrase::of("The rest of the protocol brings U from %1 to %2 mm.",
-                                         text(account.of(*outlook.now)), text(planned))
+                                         text(choice.of(*outlook.now)), text(planned))
                             : Phrase::of("At its end, the protocol reaches U = %1 mm.", text(planned)));
   for (const RoundsAhead& ahead : outlook.ahead)
-    if (ahead.rounds > 0 && text(account.of(ahead.expanded)) != text(planned))
+    if (ahead.rounds > 0 && text(choice.of(ahead.expanded)) != text(planned))
       sentences.push_back(Phrase::of("%1 would bring U to %2 mm.", moreRounds(ahead.rounds),
-                                     text(account.of(ahead.expanded))));
+                                     text(choice.of(ahead.expanded))));
   return joined(sentences);
 }
 
-std::string limitSentence(const Outlook& outlook, Account account, const Lengths& text) {
+std::string limitSentence(const Outlook& outlook, UncertaintyChoice choice, const Lengths& text) {
   if (!outlook.limit) return "";
   return Phrase::of("Further rounds do not reduce %1 mm of U: that part is the same in each round.",
-                    text(account.of(*outlook.limit)));
+                    text(choice.of(*outlook.limit)));
 }
 
 /// States that even the largest number of rounds in the outlook leaves U too large.
-std::string notEnough(const Outlook& outlook, Account account, const Lengths& text) {
+std::string notEnough(const Outlook& outlook, UncertaintyChoice choice, const Lengths& text) {
   const RoundsAhead& most = outlook.ahead.back();
-  const std::string needed = text(account.of(*outlook.needed));
+  const std::string needed = text(choice.of(*outlook.needed));
   std::vector<std::string> sentences;
   if (outlook.limit && !outlook.isEnough(*outlook.limit))
     sentences.push_back(
         Phrase::of("More rounds are not enough: U always stays above %1 mm, and the verdict needs %2 mm.",
-                   text(account.of(*outlook.limit)), needed));
+                   text(choice.of(*outlook.limit)), needed));
   else
     sentences.push_back(Phrase::of("Even %1 more rounds leave U at %2 mm; the verdict needs %3 mm.",
-                                   most.rounds, text(account.of(most.expanded)), needed));
+                                   most.rounds, text(choice.of(most.expanded)), needed));
   return joined(sentences);
 }
 
@@ -119,21 +119,21 @@ std::string verdictName(bool isWithin) {
   return isWithin ? Phrase::of("within the tolerance") : Phrase::of("beyond the tolerance");
 }
 
-std::string whetherEnough(const Outlook& outlook, const ProtocolProgress& progress, Account account,
+std::string whetherEnough(const Outlook& outlook, const ProtocolProgress& progress, UncertaintyChoice choice,
                           const Lengths& text) {
   if (outlook.isTorn)
     return Phrase::of(
         "Δd, fit only, and Δd, measured, are on different sides of the tolerance: look at the gap before you "
         "sight more.");
-  const std::string needed = text(account.of(*outlook.needed));
-  const auto from = outlook.now ? std::optional(account.of(*outlook.now)) : std::nullopt;
+  const std::string needed = text(choice.of(*outlook.needed));
+  const auto from = outlook.now ? std::optional(choice.of(*outlook.now)) : std::nullopt;
   if (outlook.now && outlook.isEnough(*outlook.now))
     return Phrase::of("The readings are enough: U = %1 mm, and the verdict “%2” needs %3 mm.", text(*from),
                       verdictName(outlook.isWithin), needed);
   const auto rounds = outlook.roundsNeeded();
-  if (!rounds) return notEnough(outlook, account, text);
+  if (!rounds) return notEnough(outlook, choice, text);
   const auto enough = std::ranges::find(outlook.ahead, *rounds, &RoundsAhead::rounds);
-  const std::string to = text(account.of(enough->expanded)), start = text(from.value_or(NAN));
+  const std::string to = text(choice.of(enough->expanded)), start = text(from.value_or(NAN));
   if (*rounds == 0)
     return Phrase::of("The rest of the protocol brings U from %1 to %2 mm; the verdict needs %3 mm.", start,
                       to, needed);
@@ -167,7 +167,7 @@ std::string sightingName(const PlannedSighting& planned) {
 }
 
 std::string sightingNameInSession(const PlannedSighting& planned) {
-  return Phrase::of("%1: %2", positionName(planned.axisDeg, planned.time), sightingName(planned));
+  return Phrase::of("%1: %2", positionName(planned.axisDeg, planned.repeat), sightingName(planned));
 }
 
 std::string stateName(SightingState state) {
@@ -208,34 +208,35 @@ std::string unplannedSentence(const ProtocolProgress& progress) {
                                  : Phrase::of("%1 readings are not in the protocol.", progress.unplanned);
 }
 
-std::string repeatSentence(const Repeat& repeat, const ProtocolProgress& progress) {
-  const PlannedSighting& first = progress.sightings[repeat.sightings.front()].planned;
-  const std::string where = sightingNameInSession(first), size = deviationText(repeat),
-                    sigmas = displayText(repeat.sigmas, 1);
-  switch (repeat.reason) {
-    case Repeat::Reason::Misread:
+std::string repeatSentence(const SightingsToRepeat& toRepeat, const ProtocolProgress& progress) {
+  const PlannedSighting& first = progress.sightings[toRepeat.sightings.front()].planned;
+  const std::string where = sightingNameInSession(first), size = deviationText(toRepeat),
+                    sigmas = displayText(toRepeat.sigmas, 1);
+  switch (toRepeat.reason) {
+    case SightingsToRepeat::Reason::Misread:
       if (size.empty()) return Phrase::of("%1 again: the value typed can hardly be a reading.", where);
       return Phrase::of("%1 again: its %2 reading disagrees with the others by %3.", where,
-                        circleName(repeat), size);
-    case Repeat::Reason::FacesDisagree:
+                        circleName(toRepeat), size);
+    case SightingsToRepeat::Reason::FacesDisagree:
       return Phrase::of(
           "%1 again in both faces: the difference of the faces on the %2 circle departs from the others by "
           "%3 (%4 σ).",
-          where, circleName(repeat), size, sigmas);
-    case Repeat::Reason::WaysDisagree:
+          where, circleName(toRepeat), size, sigmas);
+    case SightingsToRepeat::Reason::WaysDisagree:
       return Phrase::of("%1 again, and in round %2: in that round the place lies %3 farther out (%4 σ).",
-                        where, progress.sightings[repeat.sightings.back()].planned.round, size, sigmas);
-    case Repeat::Reason::ZeroMoved:
+                        where, progress.sightings[toRepeat.sightings.back()].planned.round, size, sigmas);
+    case SightingsToRepeat::Reason::ZeroMoved:
       return Phrase::of(
           "%1 again: its %2 reading differs from the earlier one by %3 (%4 σ). If the new reading differs "
           "too, the instrument has moved: sight the whole position again.",
-          where, circleName(repeat), size, sigmas);
+          where, circleName(toRepeat), size, sigmas);
   }
   return "";
 }
 
-std::string repeatsFirst(const std::vector<Repeat>& repeats) {
-  const bool isAny = std::ranges::find(repeats, Repeat::Reason::Misread, &Repeat::reason) != repeats.end();
+std::string repeatsFirst(const std::vector<SightingsToRepeat>& allToRepeat) {
+  const bool isAny = std::ranges::find(allToRepeat, SightingsToRepeat::Reason::Misread,
+                                       &SightingsToRepeat::reason) != allToRepeat.end();
   return isAny ? Phrase::of("First repeat the sightings that look misread: they make U too large.") : "";
 }
 
@@ -244,17 +245,17 @@ std::string outlookSentences(const Outlook& outlook, const ProtocolProgress& pro
     return Phrase::of(
         "Once a pointing zero is read and the protocol has both positions, the rounds still needed are shown "
         "here.");
-  const Account account = rulingAccount(outlook);
-  const Lengths text(outlook, account);
+  const UncertaintyChoice choice = uncertaintyChoice(outlook);
+  const Lengths text(outlook, choice);
   std::vector<std::string> sentences;
   if (outlook.needed) {
-    sentences.push_back(whetherEnough(outlook, progress, account, text));
+    sentences.push_back(whetherEnough(outlook, progress, choice, text));
   } else {
-    sentences.push_back(withoutNeed(outlook, progress, account, text));
-    sentences.push_back(limitSentence(outlook, account, text));
+    sentences.push_back(withoutNeed(outlook, progress, choice, text));
+    sentences.push_back(limitSentence(outlook, choice, text));
   }
   const RoundsAhead& planned = outlook.ahead.front();
-  if (account.isMeasured) {
+  if (choice.isMeasured) {
     const Lengths own(outlook, {false});
     sentences.push_back(
         outlook.now ? Phrase::of("U of Δd, fit only, is %1 mm now and %2 mm at the end of the protocol.",

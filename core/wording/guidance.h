@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "core/guidance/outlook.h"
-#include "core/guidance/repeats.h"
+#include "core/guidance/sightings_to_repeat.h"
 #include "core/session/protocol_progress.h"
 #include "core/wording/diagnosis_sentence.h"
 
@@ -27,10 +27,10 @@ std::string progressSentences(const ProtocolProgress& progress);
 std::string unplannedSentence(const ProtocolProgress& progress);
 
 /// Which sightings to repeat, and why.
-std::string repeatSentence(const Repeat& repeat, const ProtocolProgress& progress);
+std::string repeatSentence(const SightingsToRepeat& toRepeat, const ProtocolProgress& progress);
 
 /// States that misread sightings increase U until they are repeated; empty if none looks misread.
-std::string repeatsFirst(const std::vector<Repeat>& repeats);
+std::string repeatsFirst(const std::vector<SightingsToRepeat>& allToRepeat);
 
 /// How U decreases with the rest of the protocol and with further rounds. States the U that a verdict needs,
 /// if there is a tolerance, and whether the rounds suffice.

@@ -4,9 +4,9 @@
 
 namespace alidade {
 
-std::string positionName(int axisDeg, int time) {
-  if (time < 2) return std::to_string(axisDeg) + "°";
-  return time == 2 ? Phrase::of("%1° again", axisDeg) : Phrase::of("%1° again (%2)", axisDeg, time);
+std::string positionName(int axisDeg, int repeat) {
+  if (repeat < 2) return std::to_string(axisDeg) + "°";
+  return repeat == 2 ? Phrase::of("%1° again", axisDeg) : Phrase::of("%1° again (%2)", axisDeg, repeat);
 }
 
 }  // namespace alidade

@@ -22,7 +22,8 @@ std::string threeDecimals(double millimetres) {
 }  // namespace
 
 Words wordsOf(const ArcMissing& finding) {
-  return {Phrase::of("The arc at %1 %2.", positionName(finding.axisDeg, finding.time), textOf(finding.why))};
+  return {
+      Phrase::of("The arc at %1 %2.", positionName(finding.axisDeg, finding.repeat), textOf(finding.why))};
 }
 
 Words wordsOf(const Undetermined& finding) {

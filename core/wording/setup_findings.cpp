@@ -42,7 +42,7 @@ Words wordsOf(const PlacesOnTheWrongSide& finding) {
 
 Words wordsOf(const ZeroOfOtherCircle& finding) {
   const bool zenith = finding.circle == VerticalCircle::Zenith;
-  const std::string where = positionName(finding.axisDeg, finding.time),
+  const std::string where = positionName(finding.axisDeg, finding.repeat),
                     reading = displayText(finding.vertical.degrees(), 2);
   if (zenith)
     return {
@@ -60,7 +60,7 @@ Words wordsOf(const ZeroOfOtherCircle& finding) {
 }
 
 Words wordsOf(const SlidersDiffer& finding) {
-  const std::string where = positionName(finding.axisDeg, finding.time),
+  const std::string where = positionName(finding.axisDeg, finding.repeat),
                     apart = displayText(finding.apart.arcseconds(), 1);
   const std::size_t first = finding.firstRow + 1, other = finding.otherRow + 1;
   return {
@@ -116,7 +116,7 @@ Words wordsOf(const ZeroMoved& finding) {
   const auto moved = [](Angle move, Angle sigma) {
     return displayText(move.arcseconds(), 1) + "″ ± " + displayText(sigma.arcseconds(), 1) + "″";
   };
-  const std::string where = positionName(finding.axisDeg, finding.time),
+  const std::string where = positionName(finding.axisDeg, finding.repeat),
                     horizontal = moved(finding.horizontal, finding.sigmaHorizontal),
                     vertical = moved(finding.vertical, finding.sigmaVertical);
   return {
@@ -137,7 +137,7 @@ Words wordsOf(const ZeroFaceLeftOut& finding) {
       Phrase::of(
           "%1: the sightings of the pointing zero in face 2 are left out, since not every position has one: "
           "collimation and index would not cancel.",
-          positionName(finding.axisDeg, finding.time)),
+          positionName(finding.axisDeg, finding.repeat)),
       Phrase::of("Sight the zeros of all positions in both faces.")};
 }
 

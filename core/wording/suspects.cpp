@@ -40,7 +40,7 @@ std::string capitalised(std::string text) {
 }  // namespace
 
 std::string nameOf(const Suspect& suspect) {
-  std::vector<std::string> parts{positionName(suspect.axisDeg, suspect.time),
+  std::vector<std::string> parts{positionName(suspect.axisDeg, suspect.repeat),
                                  Phrase::of("point %1", suspect.point)};
   if (suspect.round != 1) parts.push_back(Phrase::of("round %1", suspect.round));
   if (suspect.face != 1) parts.push_back(faceName(suspect.face));
@@ -48,25 +48,25 @@ std::string nameOf(const Suspect& suspect) {
   return listed(parts);
 }
 
-std::string slipName(EntrySlip slip) {
-  switch (slip) {
-    case EntrySlip::DigitsSwapped:
+std::string entryErrorName(EntryError error) {
+  switch (error) {
+    case EntryError::DigitsSwapped:
       return Phrase::of("two digits swapped");
-    case EntrySlip::OneDigitWrong:
+    case EntryError::OneDigitWrong:
       return Phrase::of("one digit wrong");
-    case EntrySlip::DegreeOff:
+    case EntryError::DegreeOff:
       return Phrase::of("one degree off");
-    case EntrySlip::TenMinutesOff:
+    case EntryError::TenMinutesOff:
       return Phrase::of("ten minutes off");
-    case EntrySlip::MinuteOff:
+    case EntryError::MinuteOff:
       return Phrase::of("one minute off");
-    case EntrySlip::TenSecondsOff:
+    case EntryError::TenSecondsOff:
       return Phrase::of("ten seconds off");
-    case EntrySlip::CirclesSwapped:
+    case EntryError::CirclesSwapped:
       return Phrase::of("the two circles swapped");
-    case EntrySlip::WrongFace:
+    case EntryError::WrongFace:
       return Phrase::of("the wrong face");
-    case EntrySlip::NeighbouringRow:
+    case EntryError::NeighbouringRow:
       return Phrase::of("swapped with the neighbouring row");
   }
   return "";
@@ -82,7 +82,7 @@ std::string sentenceOf(const Proposal& proposal) {
                       (change.typed.empty() ? Phrase::of("(empty)") : shortened(change.typed, longestTyped)) +
                       " → " + change.text);
   }
-  return Phrase::of("%1: %2; the residual becomes %3.", listed(changes), slipName(proposal.slip),
+  return Phrase::of("%1: %2; the residual becomes %3.", listed(changes), entryErrorName(proposal.error),
                     signedSize(proposal.residual));
 }
 

@@ -12,7 +12,7 @@ namespace alidade {
 // Sentences on suspects: readings that look misread.
 
 /// "two digits swapped", "one degree off", …
-std::string slipName(EntrySlip slip);
+std::string entryErrorName(EntryError error);
 
 /// Returns: Horizontal 341°52'24" → 341°25'24": two digits swapped; residual then +1.2″.
 std::string sentenceOf(const Proposal& proposal);

@@ -28,7 +28,7 @@ std::string withheldBy(const LengthsInDoubt& doubt) {
         shortestText(doubt.distance), lengths);
   return Phrase::of(
       "The verdict is withheld: the radius fitted at %1 differs from the nominal one by %2 %. Check %3.",
-      positionName(doubt.radius->axisDeg, doubt.radius->time), displayText(doubt.radius->percentOff, 0),
+      positionName(doubt.radius->axisDeg, doubt.radius->repeat), displayText(doubt.radius->percentOff, 0),
       lengths);
 }
 
@@ -83,8 +83,8 @@ std::string wayOut(const Diagnosis& diagnosis) {
                           causeName(most.effect));
 }
 
-std::string bothAccounts(const Measurement& measurement, const Intersection& modelled,
-                         const Diagnosis& diagnosis, const AcceptanceDecision& decision) {
+std::string bothEstimates(const Measurement& measurement, const Intersection& modelled,
+                          const Diagnosis& diagnosis, const AcceptanceDecision& decision) {
   const double tolerance = *measurement.tolerance;
   const std::string limit = limitText(tolerance);
   const std::string first = lengthText(modelled.value, modelled.expanded, tolerance);
@@ -127,11 +127,11 @@ std::string acrossText(const Measurement& measurement, const Diagnosis* diagnosi
 }
 
 /// The values that the verdict is based on: Δd, fit only and measured, or the distance from the axis.
-std::string accountsText(const Measurement& measurement, const SessionFit& fit, const Diagnosis* diagnosis,
-                         const AcceptanceDecision& decision) {
+std::string estimatesText(const Measurement& measurement, const SessionFit& fit, const Diagnosis* diagnosis,
+                          const AcceptanceDecision& decision) {
   if (diagnosis && diagnosis->measured && judgedDistance(measurement, *diagnosis->measured))
     return distanceText(measurement, *diagnosis->measured, decision);
-  if (decision.showsBoth) return bothAccounts(measurement, *fit.intersection, *diagnosis, decision);
+  if (decision.showsBoth) return bothEstimates(measurement, *fit.intersection, *diagnosis, decision);
   return verdictSentence(fit.intersection->value, fit.intersection->expanded, *measurement.tolerance,
                          measurement.coverage);
 }
@@ -199,7 +199,7 @@ std::string verdictSentence(const Measurement& measurement, const SessionFit& fi
     return Phrase::of("There is no verdict at a coverage of %1 %: state a coverage of %2 or more.",
                       displayShortest(measurement.coverage * 100), displayShortest(leastCoverageOfVerdict));
   const std::string rests =
-      inTurn(accountsText(measurement, fit, diagnosis, decision), acrossText(measurement, diagnosis));
+      inTurn(estimatesText(measurement, fit, diagnosis, decision), acrossText(measurement, diagnosis));
   if (decision.obstacle == AcceptanceDecision::Obstacle::AcrossUnknown)
     return Phrase::of(
         "The tolerance applies to the whole distance from the axis, and its part across the plane of the arc "

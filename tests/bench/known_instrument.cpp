@@ -28,7 +28,7 @@ namespace {
 
 using namespace alidade;
 
-constexpr double known = 1, knock = 30;  // arcseconds: u of the record, and the change since
+constexpr double known = 1, change = 30;  // arcseconds: u of the record, and the change since
 
 const std::vector<std::string_view> constants = {"collimation", "trunnion_tilt", "vertical_index",
                                                  "horizontal_circle_eccentricity",
@@ -143,7 +143,7 @@ void printTrials(const Protocol& protocol, std::string_view id, bool hasChanged,
       for (const EffectParameter& parameter : effectById(constant)->parameters) {
         double size = isFirst ? random.normal() * parameter.plausible / 3 : 0;
         if (isFirst) recorded[constant] = size + known * random.normal();
-        if (hasChanged && constant == id) size += random.normal() < 0 ? -knock : knock;
+        if (hasChanged && constant == id) size += random.normal() < 0 ? -change : change;
         truth.effects.push_back({parameter.term, size});
         isFirst = false;
       }

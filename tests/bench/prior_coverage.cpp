@@ -34,8 +34,8 @@ class Draw {
     putEffects(protocol);
     if (isThere(m_odds.jump))
       putJump();
-    else if (isThere(m_odds.zeroSlip))
-      putZeroSlip();
+    else if (isThere(m_odds.wrongZero))
+      putWrongZero();
     m_truth.noiseFactor = isThere(m_odds.noise) ? std::exp(m_random.uniform(std::log(1.25), std::log(20.0)))
                                                 : std::exp(0.1 * m_random.normal());
     if (isThere(m_odds.grossError)) putMisreading(protocol);
@@ -76,24 +76,24 @@ class Draw {
                     .vertical = Angle::fromRadians(size * m_random.normal())};
   }
 
-  void putZeroSlip() {
+  void putWrongZero() {
     const double size = anyOf(jumpWidths()) * plausibleJump;
-    m_truth.zeroSlip = {.axisDeg = m_random.uniform() < 0.5 ? 0 : 180,
-                        .horizontal = Angle::fromRadians(size * m_random.normal()),
-                        .vertical = Angle::fromRadians(size * m_random.normal())};
+    m_truth.wrongZero = {.axisDeg = m_random.uniform() < 0.5 ? 0 : 180,
+                         .horizontal = Angle::fromRadians(size * m_random.normal()),
+                         .vertical = Angle::fromRadians(size * m_random.normal())};
   }
 
   void putMisreading(const Protocol& protocol) {
     const std::vector<PlannedRow> rows = plannedRows(protocol);
     const PlannedRow& row = rows[anyOf(rows.size())];
-    const Angle slip = m_truth.sigmaHorizontal * (anyOf(grossErrorWidths()) * m_random.normal());
+    const Angle error = m_truth.sigmaHorizontal * (anyOf(grossErrorWidths()) * m_random.normal());
     const bool isHorizontal = m_random.uniform() < 0.5;
     m_truth.grossErrors.push_back({.axisDeg = m_random.uniform() < 0.5 ? 0 : 180,
                                    .round = row.round,
                                    .point = row.point,
                                    .face = row.face,
-                                   .horizontal = isHorizontal ? slip : Angle(),
-                                   .vertical = isHorizontal ? Angle() : slip});
+                                   .horizontal = isHorizontal ? error : Angle(),
+                                   .vertical = isHorizontal ? Angle() : error});
   }
 };
 

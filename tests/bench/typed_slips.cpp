@@ -39,26 +39,27 @@ struct Rates {
 
 void runPlan(const char* name, int sessions, double step, bool verbose) {
   const Protocol& protocol = *protocolByName(name);
-  Rates all, kinds[slipKinds + 1];
+  Rates all, kinds[errorKinds + 1];
   double milliseconds = 0;
   for (int i = 0; i < sessions; ++i) {
-    const auto slip = static_cast<Slip>(1 + i % slipKinds);
-    const SlippedSession slipped = slippedSession(protocol, slip, static_cast<std::uint64_t>(i) + 1, step);
-    if (slipped.visibleSigma <= 10) continue;
+    const auto error = static_cast<TypedError>(1 + i % errorKinds);
+    const MistypedSession mistyped =
+        mistypedSession(protocol, error, static_cast<std::uint64_t>(i) + 1, step);
+    if (mistyped.visibleSigma <= 10) continue;
     const auto begin = std::chrono::steady_clock::now();
-    const auto suspects = suspectsOf(slipped.session);
+    const auto suspects = suspectsOf(mistyped.session);
     milliseconds +=
         std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - begin).count();
-    const Found found = judge(slipped, suspects);
+    const Found found = judge(mistyped, suspects);
     all.count(found);
-    kinds[static_cast<int>(slip)].count(found);
+    kinds[static_cast<int>(error)].count(found);
     if (verbose && !(found.rightCell && found.rightCorrection)) {
-      Session copy = slipped.session;
-      std::printf("    seed %d %s:", i + 1, names[static_cast<int>(slip)]);
-      for (const CellChange& change : slipped.cure)
+      Session copy = mistyped.session;
+      std::printf("    seed %d %s:", i + 1, names[static_cast<int>(error)]);
+      for (const CellChange& change : mistyped.cure)
         std::printf(" %s %s for %s", change.where.path().c_str(), cell(copy, change.where).c_str(),
                     change.text.c_str());
-      std::printf(" (%.0f sigma)\n", slipped.visibleSigma);
+      std::printf(" (%.0f sigma)\n", mistyped.visibleSigma);
       for (const Suspect& suspect : suspects) {
         std::printf("      %s t %.1f %s\n", suspect.where.path().c_str(), suspect.studentised,
                     sentenceOf(suspect).c_str());
@@ -71,7 +72,7 @@ void runPlan(const char* name, int sessions, double step, bool verbose) {
   double quiet = 0;
   for (int i = 0; i < sessions; ++i) {
     const Session sound =
-        slippedSession(protocol, Slip::None, static_cast<std::uint64_t>(i) + 1, step).session;
+        mistypedSession(protocol, TypedError::None, static_cast<std::uint64_t>(i) + 1, step).session;
     const Measurement measurement = *examine(sound).measurement;
     const SessionFit fit = fitSession(measurement);
     const auto begin = std::chrono::steady_clock::now();
@@ -80,7 +81,7 @@ void runPlan(const char* name, int sessions, double step, bool verbose) {
   }
   std::printf("%s, %.2f ms with a slip, %.2f ms without; suspects named in %.2f %% of sound sessions\n", name,
               milliseconds / sessions, quiet / sessions, 100.0 * alarms / sessions);
-  for (int kind = 1; kind <= slipKinds; ++kind) kinds[kind].print(names[kind]);
+  for (int kind = 1; kind <= errorKinds; ++kind) kinds[kind].print(names[kind]);
   all.print("all");
 }
 
@@ -90,12 +91,12 @@ void runNeighbours(const char* name, int sessions, double step) {
   for (const std::size_t count : {2U, 3U}) {
     std::size_t suspects = 0, offers = 0, wrong = 0, misled = 0;
     for (int i = 0; i < sessions; ++i) {
-      const SlippedSession slipped =
-          neighbouringSlips(protocol, count, static_cast<std::uint64_t>(i) + 1, step);
-      const auto found = suspectsOf(slipped.session);
+      const MistypedSession mistyped =
+          neighbouringErrors(protocol, count, static_cast<std::uint64_t>(i) + 1, step);
+      const auto found = suspectsOf(mistyped.session);
       suspects += found.size();
       for (const Suspect& suspect : found) offers += suspect.proposals.empty() ? 0 : 1;
-      const std::size_t falsely = falseOffers(slipped, found);
+      const std::size_t falsely = falseOffers(mistyped, found);
       wrong += falsely;
       misled += falsely > 0 ? 1 : 0;
     }

@@ -193,9 +193,9 @@ inline void expectGuidance(const Guidance& guidance) {
     EXPECT_GE(expected->horizontal.radians(), 0);
     EXPECT_GT(expected->tolerance.radians(), 0);
   }
-  for (const Repeat& repeat : guidance.repeats) {
-    expectSentence(repeatSentence(repeat, guidance.progress));
-    for (const std::size_t sighting : repeat.sightings)
+  for (const SightingsToRepeat& toRepeat : guidance.allToRepeat) {
+    expectSentence(repeatSentence(toRepeat, guidance.progress));
+    for (const std::size_t sighting : toRepeat.sightings)
       EXPECT_LT(sighting, guidance.progress.sightings.size());
   }
   const Outlook& outlook = guidance.outlook;

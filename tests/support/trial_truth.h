@@ -52,8 +52,8 @@ inline Truth truthOf(const Trial& trial) {
     truth.jump = {effects["jump"][0], Angle::fromArcseconds(effects["jump"][1]),
                   Angle::fromArcseconds(effects["jump"][2])};
   if (effects.contains("zero_slip"))
-    truth.zeroSlip = {effects["zero_slip"][0] == 0 ? 0 : 180, Angle::fromArcseconds(effects["zero_slip"][1]),
-                      Angle::fromArcseconds(effects["zero_slip"][2])};
+    truth.wrongZero = {effects["zero_slip"][0] == 0 ? 0 : 180, Angle::fromArcseconds(effects["zero_slip"][1]),
+                       Angle::fromArcseconds(effects["zero_slip"][2])};
   if (effects.contains("harmonic"))
     truth.harmonic = {effects["harmonic"][0], effects["harmonic"][1], effects["harmonic"][2]};
 
@@ -63,9 +63,9 @@ inline Truth truthOf(const Trial& trial) {
   truth.centreX = trial.truth.at("centre_x_mm");
   truth.axisHeight = trial.truth.at("axis_height_mm");
   truth.noiseFactor = trial.truth.value("true_sigma_arcsec", 2.0) / 2.0;
-  for (const auto& blunder : trial.truth.at("blunders"))
-    truth.grossErrors.push_back({blunder[0] == 0 ? 0 : 180, blunder[1], blunder[2], blunder[3],
-                                 Angle::fromArcseconds(blunder[4]), Angle::fromArcseconds(blunder[5])});
+  for (const auto& grossError : trial.truth.at("blunders"))
+    truth.grossErrors.push_back({grossError[0] == 0 ? 0 : 180, grossError[1], grossError[2], grossError[3],
+                                 Angle::fromArcseconds(grossError[4]), Angle::fromArcseconds(grossError[5])});
   return truth;
 }
 

@@ -15,7 +15,7 @@ namespace {
 template <typename Drawn>
 QStringList markSentences(const std::vector<Drawn>& drawn, const RowKinds& kinds) {
   const bool isRinged =
-      std::any_of(drawn.begin(), drawn.end(), [](const Drawn& one) { return one.time > 1; });
+      std::any_of(drawn.begin(), drawn.end(), [](const Drawn& one) { return one.repeat > 1; });
   QStringList sentences;
   if (isRinged) sentences.append(Report::tr("Ringed: a position measured again."));
   if (kinds.hasTwoFaces()) sentences.append(Report::tr("Struck through: face 2."));

@@ -33,9 +33,9 @@ QString positionText(const Session& session, std::size_t position) {
   return positionText(axisDeg, 1 + static_cast<int>(before));
 }
 
-QString sightingText(int axisDeg, int time, int point, int round, int face) {
+QString sightingText(int axisDeg, int repeat, int point, int round, int face) {
   return PositionText::tr("Axis at %1, point %2, round %3, %4")
-      .arg(positionText(axisDeg, time))
+      .arg(positionText(axisDeg, repeat))
       .arg(point)
       .arg(round)
       .arg(qText(faceName(face)));

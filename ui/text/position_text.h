@@ -10,14 +10,14 @@
 namespace alidade::ui {
 
 /// The name of a position (`positionName`): "0°", "0° again".
-inline QString positionText(int axisDeg, int time = 1) {
-  return qText(positionName(axisDeg, time));
+inline QString positionText(int axisDeg, int repeat = 1) {
+  return qText(positionName(axisDeg, repeat));
 }
 
 /// The name of the session's position at this index in file order; as typed if its axis is invalid.
 QString positionText(const Session& session, std::size_t position);
 
 /// The name of a sighting: "Axis at 0°, point 3, round 1, face 2".
-QString sightingText(int axisDeg, int time, int point, int round, int face);
+QString sightingText(int axisDeg, int repeat, int point, int round, int face);
 
 }  // namespace alidade::ui

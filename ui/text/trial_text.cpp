@@ -74,7 +74,7 @@ void addGrossErrors(QStringList& lines, const Truth& truth) {
   for (const TrueGrossError& error : truth.grossErrors) {
     const bool isHorizontal = error.horizontal.radians() != 0;
     lines.append(TrialText::tr("Misread: %1, round %2, point %3, %4, %5 by %6")
-                     .arg(positionText(error.axisDeg, error.time))
+                     .arg(positionText(error.axisDeg, error.repeat))
                      .arg(error.round)
                      .arg(error.point)
                      .arg(qText(faceName(error.face)))
@@ -104,11 +104,11 @@ QStringList truthLines(const BlindTrial& trial) {
     lines.append(TrialText::tr("Knocked after %1 % of the rows: horizontal %2, vertical %3")
                      .arg(numberText(100 * truth.jump->moment, 0), signedSeconds(truth.jump->horizontal),
                           signedSeconds(truth.jump->vertical)));
-  if (truth.zeroSlip)
+  if (truth.wrongZero)
     lines.append(TrialText::tr("Knocked after the pointing zero at %1: horizontal %2, vertical %3")
-                     .arg(positionText(truth.zeroSlip->axisDeg, truth.zeroSlip->time),
-                          signedSeconds(truth.zeroSlip->horizontal),
-                          signedSeconds(truth.zeroSlip->vertical)));
+                     .arg(positionText(truth.wrongZero->axisDeg, truth.wrongZero->repeat),
+                          signedSeconds(truth.wrongZero->horizontal),
+                          signedSeconds(truth.wrongZero->vertical)));
   if (truth.harmonic)
     lines.append(TrialText::tr("Radius + A cos %1s + B sin %1s with A = %2 mm, B = %3 mm")
                      .arg(truth.harmonic->order)

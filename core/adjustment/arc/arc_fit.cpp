@@ -140,7 +140,7 @@ Result<ArcFit, ArcFault> fitArc(const Measurement& measurement, const ArcMeasure
   ArcFit fit;
   fit.position = arc.position;
   fit.axisDeg = arc.axisDeg;
-  fit.time = arc.time;
+  fit.repeat = arc.repeat;
   fit.degreesOfFreedom = static_cast<int>(2 * arc.sightings.size() - problem.visits().size()) - 3;
   fit.circle = minimum.state;
   fit.circle.y -= line.height();

@@ -43,7 +43,7 @@ struct ArcFit {
   Covariance3 cofactor{};  ///< covariance of (Δx, Δy, R) from the stated σ of the readings alone
   int iterations = 0;
   FitStatus status = FitStatus::Undetermined;
-  int time = 1;  ///< as `ArcMeasurement::time`
+  int repeat = 1;  ///< as `ArcMeasurement::repeat`
 
   bool converged() const { return status == FitStatus::Converged; }
   double reducedChiSquare() const { return degreesOfFreedom > 0 ? chiSquare / degreesOfFreedom : 0; }

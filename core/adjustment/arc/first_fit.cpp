@@ -65,7 +65,7 @@ Result<ArcFit, ArcFault> firstFit(const Measurement& measurement, const ArcMeasu
   ArcFit fit;
   fit.position = arc.position;
   fit.axisDeg = arc.axisDeg;
-  fit.time = arc.time;
+  fit.repeat = arc.repeat;
   fit.degreesOfFreedom = static_cast<int>(2 * arc.sightings.size() - visits.size()) - 3;
   fit.circle = fast->circle;
   fit.circle.y -= line.height();

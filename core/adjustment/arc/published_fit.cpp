@@ -66,7 +66,7 @@ Result<PublishedFit, ArcFault> fitArcAsPublished(const Measurement& measurement,
   const double up = measurement.verticalCircle == VerticalCircle::Zenith ? -1 : 1;
   fit.arc.position = arc.position;
   fit.arc.axisDeg = arc.axisDeg;
-  fit.arc.time = arc.time;
+  fit.arc.repeat = arc.repeat;
   fit.arc.circle = {unknown[1], up * unknown[2], radius};
   fit.arc.iterations = iterations;
   fit.arc.status =

@@ -39,9 +39,9 @@ class ReadingCorrections {
   }
 
   void addIntendedTexts(const Column& column) {
-    // A slip has the same prior in each of the three columns.
+    // An error has the same prior in each of the three columns.
     for (const IntendedText& intended : intendedTexts(m_readings[m_row].*column.text)) {
-      Correction correction{intended.slip, intended.prior, {}, {}};
+      Correction correction{intended.error, intended.prior, {}, {}};
       change(correction, m_row, column, intended.text);
       m_corrections.push_back(std::move(correction));
     }
@@ -50,7 +50,7 @@ class ReadingCorrections {
   void addCirclesSwapped() {
     const Reading& reading = m_readings[m_row];
     if (reading.horizontal == reading.vertical) return;
-    Correction correction{EntrySlip::CirclesSwapped, slipShare(EntrySlip::CirclesSwapped), {}, {}};
+    Correction correction{EntryError::CirclesSwapped, entryErrorShare(EntryError::CirclesSwapped), {}, {}};
     change(correction, m_row, horizontal, reading.vertical);
     change(correction, m_row, vertical, reading.horizontal);
     m_corrections.push_back(std::move(correction));
@@ -59,7 +59,7 @@ class ReadingCorrections {
   void addOtherFace() {
     const auto typed = wholeEntry(faceRule, m_readings[m_row].face);
     if (!typed) return;
-    Correction correction{EntrySlip::WrongFace, slipShare(EntrySlip::WrongFace), {}, {}};
+    Correction correction{EntryError::WrongFace, entryErrorShare(EntryError::WrongFace), {}, {}};
     change(correction, m_row, face, **typed == 1 ? "2" : "1");
     m_corrections.push_back(std::move(correction));
   }
@@ -79,9 +79,9 @@ class ReadingCorrections {
   }
 
   void addExchanges(std::size_t other) {
-    const double prior = slipShare(EntrySlip::NeighbouringRow) / 6;
+    const double prior = entryErrorShare(EntryError::NeighbouringRow) / 6;
     for (const auto& columns : {std::vector{horizontal}, {vertical}, {horizontal, vertical}}) {
-      Correction correction{EntrySlip::NeighbouringRow, prior, {}, {}};
+      Correction correction{EntryError::NeighbouringRow, prior, {}, {}};
       for (const Column& column : columns) {
         change(correction, m_row, column, m_readings[other].*column.text);
         change(correction, other, column, m_readings[m_row].*column.text);

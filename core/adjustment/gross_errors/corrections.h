@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "core/adjustment/gross_errors/entry_slips.h"
+#include "core/adjustment/gross_errors/entry_errors.h"
 #include "core/base/place.h"
 #include "core/session/measurement.h"
 #include "core/session/session.h"
@@ -22,10 +22,10 @@ struct CellChange {
   bool operator==(const CellChange&) const = default;
 };
 
-/// A reading that may have been intended in a row, one slip away from the typed text.
+/// A reading that may have been intended in a row, one entry error away from the typed text.
 struct Correction {
-  EntrySlip slip = EntrySlip::OneDigitWrong;
-  double prior = 0;                          ///< frequency of such a slip, before any reading
+  EntryError error = EntryError::OneDigitWrong;
+  double prior = 0;                          ///< frequency of such an error, before any reading
   std::vector<CellChange> changes;           ///< made together; never empty
   std::map<std::size_t, Reading> rows = {};  ///< the changed rows of the position after the correction
 };

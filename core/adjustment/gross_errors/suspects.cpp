@@ -57,7 +57,7 @@ class SuspectSearch {
     for (const AgreeingCorrection& one : tried) {
       const double share = std::exp(one.score - tried.front().score) / sum;
       if (share < leastShare || proposals.size() >= mostProposals) break;
-      proposals.push_back({one.correction.slip, one.correction.changes, one.residual, share});
+      proposals.push_back({one.correction.error, one.correction.changes, one.residual, share});
     }
     return proposals;
   }
@@ -70,7 +70,7 @@ class SuspectSearch {
       nameCells(visit, tried, errors.front().studentised);
       return;
     }
-    // The visit has more than one slip, or one that no correction explains.
+    // The visit has more than one entry error, or one that no correction explains.
     for (const GrossError& one : errors) {
       std::vector<GrossError> others = errors;
       std::erase_if(others, [&](const GrossError& m) { return m.cell == one.cell; });
@@ -83,7 +83,7 @@ class SuspectSearch {
     Suspect suspect;
     suspect.where = where;
     suspect.axisDeg = m_trials.measurement().arcs[visit.arc].axisDeg;
-    suspect.time = m_trials.measurement().arcs[visit.arc].time;
+    suspect.repeat = m_trials.measurement().arcs[visit.arc].repeat;
     suspect.point = sighting.point;
     suspect.round = sighting.round;
     suspect.face = sighting.face;
@@ -147,7 +147,7 @@ class SuspectSearch {
     m_suspects.push_back(std::move(suspect));
   }
 
-  /// Tests the rows that `examine` left out, and names those that a slip explains.
+  /// Tests the rows that `examine` left out, and names those that an entry error explains.
   void lookAtUnusableRows() {
     std::size_t looked = 0;
     for (std::size_t arc = 0; arc < m_trials.measurement().arcs.size(); ++arc) {
@@ -200,14 +200,14 @@ class SuspectSearch {
     return a.where.position == b.where.position && a.round == b.round && a.point == b.point;
   }
 
-  static bool areOneSlip(const Suspect& a, const Suspect& b) {
+  static bool areOneError(const Suspect& a, const Suspect& b) {
     return !a.proposals.empty() && !b.proposals.empty() &&
            a.proposals.front().changes == b.proposals.front().changes;
   }
 
   bool hasOther(const Suspect& suspect) const {
     return std::ranges::any_of(
-        m_suspects, [&](const Suspect& other) { return &other != &suspect && !areOneSlip(suspect, other); });
+        m_suspects, [&](const Suspect& other) { return &other != &suspect && !areOneError(suspect, other); });
   }
 
   /// With other misread readings present, keeps a correction only if it is almost certain and leaves nothing

@@ -209,12 +209,13 @@ VisitAgreement VisitCheck::agreement(const std::vector<Sighting>& rows) const {
   agreement.tests = static_cast<int>(residual.size()) - 1;
   const double freedom = m_content->freedom;
   const Eigen::LDLT<MatrixXd> factor(covarianceOf(problem, equations, prediction.cofactor));
-  const Misfit misfit = factor.isPositive() ? residual.dot(factor.solve(residual)) / m_content->variance
-                                            : std::numeric_limits<double>::quiet_NaN();
+  const WeightedSquareSum squares = factor.isPositive()
+                                        ? residual.dot(factor.solve(residual)) / m_content->variance
+                                        : std::numeric_limits<double>::quiet_NaN();
   agreement.offSpacing = m_content->spacing.off(rows.front().point, state.arcAngles[0]);
-  if (const auto tail = fUpperTail(misfit, agreement.tests, freedom)) {
+  if (const auto tail = fUpperTail(squares, agreement.tests, freedom)) {
     agreement.probability = *tail;
-    agreement.logLikelihood = -(freedom + agreement.tests) / 2 * std::log1p(misfit.squared() / freedom) +
+    agreement.logLikelihood = -(freedom + agreement.tests) / 2 * std::log1p(squares.value() / freedom) +
                               m_content->spacing.logLikelihood(rows.front().point, state.arcAngles[0]);
   }
   for (Index row = 0; row < residual.size(); ++row) {

@@ -110,7 +110,7 @@ class ArcApart {
     Eigen::Map<Vector4d>(perUnknown.data()) = gradient * m_cofactor.col(1);
     std::vector<double>& angles = fit.arcAngles[m_index];
     angles.resize(m_arc.sightings.size());
-    ArcMisfit misfit{0, -static_cast<int>(m_visits.size()) - unknowns()};
+    ArcResidualSum sum{0, -static_cast<int>(m_visits.size()) - unknowns()};
     std::array<VisitReliability, eight> reliability;
     const std::vector<double> arcAngles = unwrappedArcAngles();
     for (std::size_t v = 0; v < m_visits.size(); ++v) {
@@ -122,8 +122,8 @@ class ArcApart {
         const auto visit = static_cast<std::uint32_t>(v);
         const double redundancy = std::clamp(own.redundancy[row], 0.0, 1.0);  // rounding may exceed 0…1
         *next++ = {m_index, sighting, kind, visit, residual, sigmas[row], redundancy, rate};
-        misfit.chiSquare += residual * perReading * residual * perReading;
-        ++misfit.degreesOfFreedom;
+        sum.chiSquare += residual * perReading * residual * perReading;
+        ++sum.degreesOfFreedom;
       };
       const Direction<double>& mean = m_visits[v].mean.direction;
       const Direction<double> left = m_feet.left(v);
@@ -137,7 +137,7 @@ class ArcApart {
         add(static_cast<std::size_t>(m_sliders[v] - m_arc.sightings.data()), ReadingKind::Slider,
             m_feet.sliderLeft(v), whitening.slider);
     }
-    fit.misfits[m_index] = misfit;
+    fit.residualSums[m_index] = sum;
   }
 
  private:
@@ -289,7 +289,7 @@ std::optional<JointFit> fitJointlyFast(const Measurement& measurement, const std
   }
   fit.readings.resize(readings);
   fit.arcAngles.resize(arcs.size());
-  fit.misfits.resize(arcs.size());
+  fit.residualSums.resize(arcs.size());
   const bool hasIntersection = hasBothAxes(measurement) && !hasRepeats(measurement);
   doEach(threads, arcs.size(), [&](std::size_t i) {
     const double perHeight = intersectionPerHeight(measurement.arcs[i].axisDeg);
@@ -297,8 +297,8 @@ std::optional<JointFit> fitJointlyFast(const Measurement& measurement, const std
   });
   for (std::size_t i = 0; i < arcs.size(); ++i) {
     fit.iterations = std::max(fit.iterations, arcs[i].iterations());
-    fit.chiSquare += fit.misfits[i].chiSquare;
-    fit.degreesOfFreedom += fit.misfits[i].degreesOfFreedom;
+    fit.chiSquare += fit.residualSums[i].chiSquare;
+    fit.degreesOfFreedom += fit.residualSums[i].degreesOfFreedom;
   }
   fit.status = FitStatus::Converged;
   return fit;

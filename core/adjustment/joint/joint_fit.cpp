@@ -141,10 +141,10 @@ void fillReadings(JointFit& fit, const Measurement& measurement, const JointProb
     const VisitEquations& equations = all[v];
     const std::size_t arc = problem.visits()[v].arc;
     if (arc != problem.visits()[first].arc) first = v;
-    ArcMisfit& misfit = fit.misfits[arc];
-    misfit.chiSquare += equations.residual.squaredNorm();
+    ArcResidualSum& sum = fit.residualSums[arc];
+    sum.chiSquare += equations.residual.squaredNorm();
     const VisitEquations::Jacobian columns = JointProblem::reduced(equations);
-    misfit.degreesOfFreedom -= equations.along.isZero(0) ? 0 : 1;
+    sum.degreesOfFreedom -= equations.along.isZero(0) ? 0 : 1;
     for (Index row = 0; row < equations.residual.size(); ++row) {
       const Slots reduced = columns.row(row).transpose();
       const Slots turned = cofactors[arc].lazyProduct(reduced);
@@ -156,7 +156,7 @@ void fillReadings(JointFit& fit, const Measurement& measurement, const JointProb
       reading.sigma = sigmaOf(measurement, cell).radians();
       reading.residual = equations.residual[row] * reading.sigma;
       const bool takesPart = !equations.jacobian.row(row).isZero(0);
-      misfit.degreesOfFreedom += takesPart ? 1 : 0;
+      sum.degreesOfFreedom += takesPart ? 1 : 0;
       reading.redundancy = std::clamp(
           (takesPart ? 1 : 0) - equations.along[row] * equations.along[row] - reduced.dot(turned), 0.0, 1.0);
       reading.perReading = gradients[arc].dot(reduced) / reading.sigma;
@@ -175,9 +175,9 @@ void countDegreesOfFreedom(JointFit& fit, const JointProblem& problem) {
     const Unknown& unknown = fit.unknowns[i];
     const bool isShared = unknown.arc == Unknown::everyArc || unknown.kind == Unknown::Kind::Error ||
                           (unknown.isOfAxis() && std::ranges::count(fit.firsts, unknown.arc) > 1);
-    --(isShared ? fit.degreesOfFreedom : fit.misfits[unknown.arc].degreesOfFreedom);
+    --(isShared ? fit.degreesOfFreedom : fit.residualSums[unknown.arc].degreesOfFreedom);
   }
-  for (const ArcMisfit& misfit : fit.misfits) fit.degreesOfFreedom += misfit.degreesOfFreedom;
+  for (const ArcResidualSum& sum : fit.residualSums) fit.degreesOfFreedom += sum.degreesOfFreedom;
 }
 
 /// Did the fit diverge from every circle? The stated noise alone makes a centre or radius uncertain by more
@@ -251,7 +251,7 @@ JointFit fitJointlyInGeneral(const Measurement& measurement, const std::vector<C
                             (cofactor.diagonal().array() >= 0).all();
   fit.status = isDetermined ? minimum.status : FitStatus::Undetermined;
   if (!fit.converged() && hasRunAway(fit)) fit.status = FitStatus::Undetermined;
-  fit.misfits.resize(measurement.arcs.size());
+  fit.residualSums.resize(measurement.arcs.size());
   fillReadings(fit, measurement, problem, minimum.system.equations, cofactor);
   countDegreesOfFreedom(fit, problem);
   return fit;

@@ -90,7 +90,7 @@ struct AdjustedReading {
 };
 
 /// The residuals of one arc, summed.
-struct ArcMisfit {
+struct ArcResidualSum {
   double chiSquare = 0;      ///< Σ (v/σ)² over circles and slider
   int degreesOfFreedom = 0;  ///< readings − visits − unknowns of the arc alone without a prior
 };
@@ -143,9 +143,9 @@ struct JointFit {
   std::vector<std::vector<double>> zeroRows = {};
   /// φ of each sighting of each arc, rad in (−π, π]; unwrapped if the slider is read (`unwrapAlongSlider`).
   std::vector<std::vector<double>> arcAngles;
-  std::vector<AdjustedReading> readings;  ///< visit by visit
-  std::vector<ArcMisfit> misfits;         ///< of each arc of the measurement
-  double chiSquare = 0;                   ///< of circles, slider and priors
+  std::vector<AdjustedReading> readings;     ///< visit by visit
+  std::vector<ArcResidualSum> residualSums;  ///< of each arc of the measurement
+  double chiSquare = 0;                      ///< of circles, slider and priors
   int degreesOfFreedom = 0;
   int iterations = 0;
   /// `Undetermined` if a number of the fit is not finite or a variance is negative. Also if the fit did not

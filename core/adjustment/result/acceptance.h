@@ -19,7 +19,7 @@ struct LengthsInDoubt {
   struct Radius {
     int axisDeg = 0;
     double percentOff = 0;  ///< of the nominal radius, > 20
-    int time = 1;
+    int repeat = 1;
   };
 
   double distance = 0, nominalRadius = 0;  ///< as typed, mm

@@ -21,7 +21,7 @@ constexpr double farFromNominal = 0.05;
 
 void add(std::vector<FitFinding>& findings, const ArcFit& fit, Severity severity, What what) {
   findings.push_back({severity, Place{.position = fit.position, .reading = {}, .field = "readings"},
-                      ArcFinding{fit.axisDeg, std::move(what), fit.time}});
+                      ArcFinding{fit.axisDeg, std::move(what), fit.repeat}});
 }
 
 void judgeRedundancyAndNoise(std::vector<FitFinding>& findings, const ArcFit& fit) {

@@ -124,7 +124,7 @@ std::vector<Closure> repeatsOf(const Measurement& measurement, const JointFit& a
       const auto misclosure = misclosureOf(apart, quantity, firsts[arc], arc, noise.factor);
       if (!misclosure) continue;
       closures.push_back(closureOf(Closure::Of::Repeat, *misclosure, noise));
-      closures.back().repeated = {measurement.arcs[arc].axisDeg, measurement.arcs[arc].time, quantity};
+      closures.back().repeated = {measurement.arcs[arc].axisDeg, measurement.arcs[arc].repeat, quantity};
     }
   return closures;
 }
@@ -158,7 +158,7 @@ std::vector<Closure> zeroClosuresOf(const Measurement& measurement, const JointF
     const double together = std::hypot(sigma.radians(), sigmaFirst.radians());
     if (!(together > 0)) return;
     closures.push_back(closureOf(of, measurement.distance * angle, measurement.distance * together, exact));
-    closures.back().repeated = {later.axisDeg, later.time, Unknown::Kind::CentreX};
+    closures.back().repeated = {later.axisDeg, later.repeat, Unknown::Kind::CentreX};
   };
   const double down = measurement.verticalCircle == VerticalCircle::Zenith ? 1 : -1;
   for (const ArcMeasurement& later : measurement.arcs) {

@@ -36,7 +36,7 @@ struct Closure {
 
   /// The position, by its axis and repeat, and the quantity.
   struct Repeated {
-    int axisDeg = 0, time = 2;
+    int axisDeg = 0, repeat = 2;
     Unknown::Kind quantity = Unknown::Kind::CentreX;  ///< or CentreY or Radius
 
     bool operator==(const Repeated&) const = default;

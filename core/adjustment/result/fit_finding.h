@@ -49,7 +49,7 @@ using What = std::variant<NotConverged, NothingChecks, ScattersMore, ScattersLes
 
 }  // namespace arc_finding
 
-/// Findings on the typed set-up data. `time` is always the repeat at the position's axis.
+/// Findings on the typed set-up data. `repeat` is always the repeat at the position's axis.
 namespace setup_finding {
 
 /// No theodolite focuses so near.
@@ -65,7 +65,7 @@ struct ZeroOfOtherCircle {
   int axisDeg = 0;
   Angle vertical;
   VerticalCircle circle = VerticalCircle::Zenith;
-  int time = 1;
+  int repeat = 1;
 };
 /// Slider values of one visit differ; the largest of several differences.
 struct SlidersDiffer {
@@ -73,7 +73,7 @@ struct SlidersDiffer {
   std::size_t firstRow = 0, otherRow = 0;
   Angle apart;
   std::size_t others = 0;  ///< further differences
-  int time = 1;
+  int repeat = 1;
 };
 /// The zeros of all positions are identical; the session does not state whether they are one mark.
 struct ZerosAlike {
@@ -91,14 +91,14 @@ struct ReadingsRounded {
 };
 /// The zeros before and after the readings of the position differ by more than sightings scatter.
 struct ZeroMoved {
-  int axisDeg = 0, time = 1;
+  int axisDeg = 0, repeat = 1;
   Angle horizontal, vertical;            ///< as face 1 reads it
   Angle sigmaHorizontal, sigmaVertical;  ///< of these differences
   double scatter = 1;                    ///< factor by which U assumes zeros to scatter more than stated
 };
 /// The zero in face 2 is ignored, since other positions have none.
 struct ZeroFaceLeftOut {
-  int axisDeg = 0, time = 1;
+  int axisDeg = 0, repeat = 1;
 };
 
 }  // namespace setup_finding
@@ -110,7 +110,7 @@ namespace session_finding {
 struct ArcMissing {
   int axisDeg = 0;
   ArcFault why;
-  int time = 1;
+  int repeat = 1;
 };
 /// Each arc is determined alone, but all of them together are not.
 struct Undetermined {
@@ -158,7 +158,7 @@ struct PlanarRelation {};
 struct ArcFinding {
   int axisDeg = 0;
   arc_finding::What what;
-  int time = 1;
+  int repeat = 1;
 };
 
 struct FitFinding {

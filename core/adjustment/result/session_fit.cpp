@@ -20,7 +20,7 @@ FitFinding missing(const ArcMeasurement& arc, const ArcFault& why) {
   const bool isToCome = few && few->places == 0;
   return {isToCome ? Severity::Note : Severity::Error,
           Place{.position = arc.position, .reading = {}, .field = "readings"},
-          session_finding::ArcMissing{arc.axisDeg, why, arc.time}};
+          session_finding::ArcMissing{arc.axisDeg, why, arc.repeat}};
 }
 
 /// The effects of the model whose ids are known, each once.
@@ -63,8 +63,8 @@ void takeOver(std::vector<ArcFit>& arcs, const JointFit& joint, double scale) {
       for (const auto column : kinds)
         arc.cofactor[static_cast<std::size_t>(row)][static_cast<std::size_t>(column)] =
             joint.cofactor(joint.indexOf({.kind = row, .arc = i}), joint.indexOf({.kind = column, .arc = i}));
-    arc.chiSquare = joint.misfits[i].chiSquare;
-    arc.degreesOfFreedom = joint.misfits[i].degreesOfFreedom;
+    arc.chiSquare = joint.residualSums[i].chiSquare;
+    arc.degreesOfFreedom = joint.residualSums[i].degreesOfFreedom;
     arc.residualRms = std::sqrt(squares[i] / static_cast<double>(2 * arc.residuals.size()));
     arc.iterations = joint.iterations;
     arc.status = joint.status;

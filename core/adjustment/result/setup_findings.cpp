@@ -62,7 +62,7 @@ void judgeVerticalCircle(std::vector<FitFinding>& findings, const Measurement& m
       findings.push_back(
           {Severity::Warning,
            Place{.position = arc.position, .reading = {}, .field = "pointing_zero.vertical"},
-           ZeroOfOtherCircle{arc.axisDeg, arc.zeroVertical, measurement.verticalCircle, arc.time}});
+           ZeroOfOtherCircle{arc.axisDeg, arc.zeroVertical, measurement.verticalCircle, arc.repeat}});
 }
 
 void judgeZeros(std::vector<FitFinding>& findings, const Measurement& measurement) {
@@ -128,7 +128,7 @@ void judgeMoves(std::vector<FitFinding>& findings, const Measurement& measuremen
     findings.push_back(
         {Severity::Warning,
          Place{.position = arc.position, .reading = {}, .field = "pointing_zero.after.horizontal"},
-         ZeroMoved{arc.axisDeg, arc.time, horizontal, vertical, sigmaHorizontal, sigmaVertical,
+         ZeroMoved{arc.axisDeg, arc.repeat, horizontal, vertical, sigmaHorizontal, sigmaVertical,
                    measurement.zeroScatter}});
   }
 }
@@ -140,7 +140,7 @@ void judgeZeroFaces(std::vector<FitFinding>& findings, const Measurement& measur
   findings.push_back(
       {Severity::Note,
        Place{.position = found->position, .reading = {}, .field = "pointing_zero.face_2.horizontal"},
-       ZeroFaceLeftOut{found->axisDeg, found->time}});
+       ZeroFaceLeftOut{found->axisDeg, found->repeat}});
 }
 
 /// A slider value that differs from the first of its visit.
@@ -171,7 +171,7 @@ void judgeSliders(std::vector<FitFinding>& findings, const ArcMeasurement& arc) 
   const OtherSlider& most = *std::ranges::max_element(others, {}, &OtherSlider::apart);
   findings.push_back(
       {Severity::Warning, Place{.position = arc.position, .reading = most.other, .field = "slider"},
-       SlidersDiffer{arc.axisDeg, most.first, most.other, most.apart, others.size() - 1, arc.time}});
+       SlidersDiffer{arc.axisDeg, most.first, most.other, most.apart, others.size() - 1, arc.repeat}});
 }
 
 }  // namespace
@@ -183,7 +183,7 @@ std::optional<LengthsInDoubt> doubtfulLengths(const Measurement& measurement,
   for (const ArcFit& arc : arcs) {
     const double off = std::abs(arc.circle.radius - measurement.nominalRadius);
     if (off <= grosslyOff * measurement.nominalRadius + 3 * arc.radiusSigma()) continue;
-    doubt.radius = LengthsInDoubt::Radius{arc.axisDeg, 100 * off / measurement.nominalRadius, arc.time};
+    doubt.radius = LengthsInDoubt::Radius{arc.axisDeg, 100 * off / measurement.nominalRadius, arc.repeat};
     return doubt;
   }
   return std::nullopt;

@@ -16,7 +16,7 @@ namespace alidade {
 struct PriorOdds {
   double effect = 0.04;      ///< for each effect
   double jump = 0.04;        ///< for all moments together
-  double zeroSlip = 0.04;    ///< for a jump between a zero and the first visit, all positions together
+  double wrongZero = 0.04;   ///< for a jump between a zero and the first visit, all positions together
   double grossError = 0.08;  ///< for all readings together
   double noise = noise_policy::odds;  ///< for noise larger than stated
   double shape = 0.04;                ///< for all patterns together

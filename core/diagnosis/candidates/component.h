@@ -48,9 +48,9 @@ class Component {
   /// Whether this is a jump of the orientation. An explanation contains at most one.
   virtual bool isJump() const { return false; }
   /// Index of the arc that moves as a whole if the jump lies between its zero and its first visit.
-  virtual std::optional<std::size_t> slippedArc() const { return std::nullopt; }
+  virtual std::optional<std::size_t> wrongZeroArc() const { return std::nullopt; }
   /// Whether this is a jump of either kind. A jump has a moment, which the terms of a model lack.
-  bool stepsOrientation() const { return isJump() || slippedArc().has_value(); }
+  bool stepsOrientation() const { return isJump() || wrongZeroArc().has_value(); }
   /// The rows on which a jump acts.
   virtual std::optional<JumpMoment> jumpMoment() const { return std::nullopt; }
   /// Whether this is a pattern without a named cause.

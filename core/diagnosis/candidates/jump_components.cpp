@@ -227,15 +227,15 @@ std::vector<JumpComponent> jumpComponents(const Leftover& leftover) {
   return components;
 }
 
-std::vector<JumpComponent> zeroSlips(const Leftover& leftover) {
+std::vector<JumpComponent> wrongZeros(const Leftover& leftover) {
   if (!leftover.equations().isClosed()) return {};
   const ArcsInOrder arcs = arcsInOrder(leftover);
   const bool areCommon = haveCommonZeros(leftover);
-  std::vector<JumpComponent> slips;
+  std::vector<JumpComponent> components;
   const auto add = [&](std::size_t arc, const JumpMoment& moment) {
     std::vector<JumpComponent> own = componentsOf(leftover, {moment}, {leftover, arcs});
-    own.front().setSlippedArc(arc);
-    slips.push_back(std::move(own.front()));
+    own.front().setWrongZeroArc(arc);
+    components.push_back(std::move(own.front()));
   };
   for (auto arc = arcs.begin(); arc != arcs.end(); ++arc) {
     const std::vector<std::size_t>&rows = arc->second.rows, &zeros = arc->second.zeros;
@@ -245,7 +245,7 @@ std::vector<JumpComponent> zeroSlips(const Leftover& leftover) {
     if (!isLast) add(arc->first, {rows.front()});
     if (arc != arcs.begin()) add(arc->first, {zeros.front(), rows.front()});
   }
-  return slips;
+  return components;
 }
 
 }  // namespace alidade

@@ -27,7 +27,7 @@ class JumpComponent final : public Component {
   ErrorSource source() const override { return ErrorSource::Time; }
   const std::vector<Width>& widths() const override;
   bool isJump() const override { return true; }
-  std::optional<std::size_t> slippedArc() const override { return m_slippedArc; }
+  std::optional<std::size_t> wrongZeroArc() const override { return m_wrongZeroArc; }
   std::optional<JumpMoment> jumpMoment() const override { return moment(); }
   std::optional<std::size_t> onlyRow() const override { return m_onlyRow; }
   Eigen::Map<const Eigen::MatrixXd> gram() const override { return {m_gram.data(), 2, 2}; }
@@ -40,13 +40,13 @@ class JumpComponent final : public Component {
              double width) const override;
   std::vector<CauseParameter> parameters(const GapModel& after) const override;
 
-  void setSlippedArc(std::size_t arc) { m_slippedArc = arc; }
+  void setWrongZeroArc(std::size_t arc) { m_wrongZeroArc = arc; }
 
  private:
   std::shared_ptr<const JumpColumns> m_columns;
   std::size_t m_index;
   Eigen::Matrix2d m_gram;
-  std::optional<std::size_t> m_onlyRow, m_slippedArc;
+  std::optional<std::size_t> m_onlyRow, m_wrongZeroArc;
 };
 
 const std::vector<Width>& jumpWidths();
@@ -58,7 +58,7 @@ const std::vector<Width>& usualAndFarWiderJumpWidths();
 ///
 /// A jump may last to the end of the session. If the positions are compared (`Linearised::isClosed`), a jump
 /// in any position but the last may also end with its position, when the circle is set again on the mark.
-/// Jumps before the first row of a position then belong to `zeroSlips`.
+/// Jumps before the first row of a position then belong to `wrongZeros`.
 ///
 /// Some jumps would show in a single row only, which is alone in its visit. A gross error of that row leaves
 /// the same trace and is more frequent, so these jumps serve for comparison only.
@@ -68,6 +68,6 @@ std::vector<JumpComponent> jumpComponents(const Leftover& leftover);
 /// or last to the end of the session. With a common zero mark, a jump may also act on the zero alone. A
 /// misread zero or a moved mark has the same trace. Empty unless the positions are compared: otherwise
 /// nothing would show these jumps.
-std::vector<JumpComponent> zeroSlips(const Leftover& leftover);
+std::vector<JumpComponent> wrongZeros(const Leftover& leftover);
 
 }  // namespace alidade

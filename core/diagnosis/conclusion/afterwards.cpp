@@ -58,7 +58,7 @@ class Average {
     const Explanation* const own = explanationOf(m_inquiry, m_answer);
     if (!own) return;
     for (const Explanation& explanation : m_inquiry.explanations)
-      if (explanation.chance >= leastChance && &explanation != own && isOfAccount(explanation, m_answer))
+      if (explanation.chance >= leastChance && &explanation != own && isInAverage(explanation, m_answer))
         add(explanation, oddsOf(explanation.logPosteriorOdds - own->logPosteriorOdds));
   }
 
@@ -135,19 +135,19 @@ IntersectionEstimate averagedOver(const IntersectionEstimate& own, const std::ve
   constexpr double grain = 0.05;  // distance of joined parts, σ
   const auto [mean, sigma] = momentsOf(mixture);
   mixture = joined(mixture, grain * sigma);
-  std::vector<NormalPart> accounts = mixture;
-  for (NormalPart& account : accounts) account.mean += own.value;
+  std::vector<NormalPart> explanations = mixture;
+  for (NormalPart& explanation : explanations) explanation.mean += own.value;
   for (NormalPart& part : mixture) part.sigma *= wider;
   const double expanded = std::max(factor * sigma, halfWidth(mixture, mean, coverage));
   if (std::abs(mean) + std::abs(expanded - own.expanded) < hardly * own.expanded) return own;
-  return {own.value + mean, sigma, expanded, std::move(accounts), own.degreesOfFreedom};
+  return {own.value + mean, sigma, expanded, std::move(explanations), own.degreesOfFreedom};
 }
 
 IntersectionEstimate widerBy(IntersectionEstimate own, double variance) {
   const double sigma = std::sqrt(square(own.sigma) + std::max(variance, 0.0));
   own.expanded *= sigma / own.sigma;
   own.sigma = sigma;
-  own.accounts = {{1, own.value, own.sigma}};
+  own.explanations = {{1, own.value, own.sigma}};
   return own;
 }
 
@@ -176,7 +176,7 @@ const Explanation* explanationOf(const Inquiry& inquiry, const Answer& answer) {
   return found == inquiry.explanations.end() ? nullptr : &*found;
 }
 
-bool isOfAccount(const Explanation& explanation, const Answer& answer) {
+bool isInAverage(const Explanation& explanation, const Answer& answer) {
   const bool isInTheNoise = answer.explanation.noisy && isPartOf(answer.explanation, explanation);
   return !isInTheNoise && std::ranges::all_of(explanation.parts, &Part::isSupported);
 }

@@ -37,6 +37,6 @@ const Explanation* explanationOf(const Inquiry& inquiry, const Answer& answer);
 
 /// Whether an explanation counts in the average. The readings must support each of its parts, since
 /// undetectable effects are reported separately. It must not add causes to an answer of larger noise.
-bool isOfAccount(const Explanation& explanation, const Answer& answer);
+bool isInAverage(const Explanation& explanation, const Answer& answer);
 
 }  // namespace alidade

@@ -4,8 +4,8 @@
 #include <cmath>
 #include <utility>
 
-#include "core/diagnosis/conclusion/accounts.h"
 #include "core/diagnosis/conclusion/unexplained.h"
+#include "core/diagnosis/conclusion/weighed_explanations.h"
 #include "core/diagnosis/conclusion/with_forms.h"
 #include "core/diagnosis/evidence/gain.h"
 #include "core/diagnosis/gap/every_effect.h"
@@ -102,21 +102,21 @@ Answer unknownAs(const Inquiry& inquiry, const Explanation& shaped) {
 std::optional<Answer> severalIn(const Inquiry& inquiry) {
   constexpr double certain = 0.95, leastChance = 0.01;
   constexpr EffectScales asPlausible;
-  Accounts accounts(inquiry);
-  accounts.alsoAt(withEveryEffect(inquiry.base), {}, {});
+  WeighedExplanations weighed(inquiry);
+  weighed.alsoAt(withEveryEffect(inquiry.base), {}, {});
   double shaped = impossible, named = impossible, most = impossible;
   const Explanation* best = nullptr;
   std::vector<std::pair<const Explanation*, double>> all;
   for (const Explanation& explanation : inquiry.explanations) {
     if (explanation.chance < leastChance && explanation.parts.size() > 1) continue;
-    for (const Account& account : accounts.of(explanation)) {
-      if (!explanation.shaped && account.scales != asPlausible) continue;
+    for (const WeighedExplanation& one : weighed.of(explanation)) {
+      if (!explanation.shaped && one.scales != asPlausible) continue;
       double& sum = explanation.shaped ? shaped : named;
-      sum = logSum(sum, account.logOdds);
+      sum = logSum(sum, one.logOdds);
       if (explanation.shaped) continue;
-      all.emplace_back(&explanation, account.logOdds);
-      if (account.logOdds <= most) continue;
-      most = account.logOdds;
+      all.emplace_back(&explanation, one.logOdds);
+      if (one.logOdds <= most) continue;
+      most = one.logOdds;
       best = &explanation;
     }
   }

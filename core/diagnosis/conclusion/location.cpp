@@ -37,9 +37,9 @@ std::string nameOf(Division by) {
 }
 
 /// Factor of the axis in `positionNumber`, which sorts positions by axis, then by repeat.
-constexpr int mostTimes = 1000;
+constexpr int mostRepeats = 1000;
 int positionNumber(const ArcMeasurement& arc) {
-  return mostTimes * arc.axisDeg + arc.time % mostTimes;
+  return mostRepeats * arc.axisDeg + arc.repeat % mostRepeats;
 }
 
 /// `value` is a `positionNumber`, the first degree of a sector, a `ReadingKind`, or a number from 1.
@@ -47,9 +47,9 @@ std::string partName(Division by, int value) {
   if (by == Division::Circle) return std::string(nameOf(static_cast<ReadingKind>(value)));
   if (by == Division::Sector) return std::to_string(value) + "…" + std::to_string(value + sectorWidth) + "°";
   if (by == Division::Position) {
-    const std::string name = std::to_string(value / mostTimes);
-    const int time = value % mostTimes;
-    return time > 1 ? name + ", time " + std::to_string(time) : name;
+    const std::string name = std::to_string(value / mostRepeats);
+    const int repeat = value % mostRepeats;
+    return repeat > 1 ? name + ", time " + std::to_string(repeat) : name;
   }
   if (by == Division::Time) return "quarter " + std::to_string(value);
   return std::to_string(value);

@@ -11,9 +11,9 @@
 #include "core/adjustment/result/uncertain_length.h"
 #include "core/base/square.h"
 #include "core/base/statistics.h"
-#include "core/diagnosis/conclusion/accounts.h"
 #include "core/diagnosis/conclusion/afterwards.h"
 #include "core/diagnosis/conclusion/measured_budget.h"
+#include "core/diagnosis/conclusion/weighed_explanations.h"
 #include "core/diagnosis/conclusion/with_forms.h"
 #include "core/diagnosis/evidence/gain.h"
 #include "core/diagnosis/gap/every_effect.h"
@@ -70,23 +70,22 @@ MeasuredLength distanceOf(const IntersectionEstimate& inPlane, const Across& acr
   return {length.value, length.sigma, factor * length.sigma};
 }
 
-std::optional<FittedAccount> byFit(const GapModel& model, const EffectScales& scales) {
+std::optional<FittedExplanation> byFit(const GapModel& model, const EffectScales& scales) {
   const JointFit& fit = *model.fit;
   const std::optional<Intersection> found = intersect(*model.measurement, fit);
   if (!found) return std::nullopt;
-  FittedAccount account{estimateOf(*found), scales, {}, {}, noiseScale(fit)};
+  FittedExplanation fitted{estimateOf(*found), scales, {}, {}, noiseScale(fit)};
   const std::vector<double> weights =
       intersectionWeights(fit, *arcAt(*model.measurement, 0), *arcAt(*model.measurement, 180));
   for (std::size_t index = 0; index < fit.unknowns.size(); ++index) {
     const Unknown& unknown = fit.unknowns[index];
     if (unknown.kind != Unknown::Kind::Error) continue;
-    account.terms[unknown.term] = {fit.priorSigmas[index],
-                                   varianceOfPrior(fit, fit.cofactor, weights, index)};
+    fitted.terms[unknown.term] = {fit.priorSigmas[index], varianceOfPrior(fit, fit.cofactor, weights, index)};
   }
-  std::ranges::copy_if(found->budget, std::back_inserter(account.others), [](const BudgetEntry& entry) {
+  std::ranges::copy_if(found->budget, std::back_inserter(fitted.others), [](const BudgetEntry& entry) {
     return entry.source != UncertaintySource::PlausibleSizes;
   });
-  return account;
+  return fitted;
 }
 
 /// The offset across the plane from `model`, the fit with every effect at its plausible size. The measured
@@ -115,7 +114,7 @@ std::map<ErrorTerm, TermShare> withPausesInDrifts(std::map<ErrorTerm, TermShare>
 class Measured {
  public:
   Measured(const Inquiry& inquiry, const Answer& answer)
-      : m_inquiry(inquiry), m_answer(answer), m_accounts(inquiry), m_whole(answer.explanation) {
+      : m_inquiry(inquiry), m_answer(answer), m_weighed(inquiry), m_whole(answer.explanation) {
     if (const Explanation* const found = explanationOf(inquiry, answer)) m_whole = *found;
     m_model = answer.kind == Answer::Kind::Several || m_whole.shaped
                   ? modelWith(inquiry.base, rest(), inquiry.candidates, inquiry.leftover)
@@ -124,22 +123,22 @@ class Measured {
     if (isLarge(*inquiry.base.measurement)) return;
     if (m_whole.shaped)
       m_model.measurement = std::make_shared<const Measurement>(
-          withoutPattern(*m_model.measurement, inquiry, m_accounts.takenByPattern(m_whole, m_scales)));
+          withoutPattern(*m_model.measurement, inquiry, m_weighed.takenByPattern(m_whole, m_scales)));
     m_every = withEveryEffect(m_model);
     m_fit = withEveryEffect(m_model, m_scales);
-    m_accounts.alsoAt(m_fit, m_whole, m_scales);
+    m_weighed.alsoAt(m_fit, m_whole, m_scales);
   }
 
   std::optional<MeasuredWithEffects> measured() {
-    std::optional<FittedAccount> account;
-    if (!isLarge(*m_inquiry.base.measurement)) account = byFit(m_fit, m_scales);
-    if (!account) account = byMoves();
-    if (!account) return std::nullopt;
+    std::optional<FittedExplanation> fitted;
+    if (!isLarge(*m_inquiry.base.measurement)) fitted = byFit(m_fit, m_scales);
+    if (!fitted) fitted = byMoves();
+    if (!fitted) return std::nullopt;
     const auto isJump = [&](const Part& part) { return m_inquiry.of(part).isJump(); };
     if (std::ranges::none_of(m_whole.parts, isJump))
-      account->terms = withPausesInDrifts(std::move(account->terms));
-    const IntersectionEstimate estimate = averaged(account->estimate);
-    MeasuredIntersection measured{estimate, budgetOf(*account, *m_inquiry.base.measurement, estimate)};
+      fitted->terms = withPausesInDrifts(std::move(fitted->terms));
+    const IntersectionEstimate estimate = averaged(fitted->estimate);
+    MeasuredIntersection measured{estimate, budgetOf(*fitted, *m_inquiry.base.measurement, estimate)};
     if (const auto across = m_every.fit ? acrossOf(m_every) : std::nullopt) {
       measured.across = across->length;
       measured.distance = distanceOf(estimate, *across);
@@ -150,7 +149,7 @@ class Measured {
  private:
   const Inquiry& m_inquiry;
   const Answer& m_answer;
-  Accounts m_accounts;
+  WeighedExplanations m_weighed;
   Explanation m_whole;  ///< the answer's explanation, with its pattern
   EffectScales m_scales;
   GapModel m_model, m_every, m_fit;  ///< without effects; with all at plausible size; with all at `m_scales`
@@ -165,33 +164,33 @@ class Measured {
 
   /// The root mean square of all possible scales, weighted by their odds.
   EffectScales averageScales() {
-    const std::vector<Account> accounts = m_accounts.of(m_whole);
-    if (accounts.empty()) return {};
-    const double most = std::ranges::max(accounts, {}, &Account::logOdds).logOdds;
+    const std::vector<WeighedExplanation> weighed = m_weighed.of(m_whole);
+    if (weighed.empty()) return {};
+    const double most = std::ranges::max(weighed, {}, &WeighedExplanation::logOdds).logOdds;
     double all = 0, guideway = 0, instrument = 0, time = 0;
-    for (const Account& account : accounts) {
-      const double odds = std::exp(account.logOdds - most);
+    for (const WeighedExplanation& one : weighed) {
+      const double odds = std::exp(one.logOdds - most);
       all += odds;
-      guideway += odds * square(account.scales.guideway);
-      instrument += odds * square(account.scales.instrument);
-      time += odds * square(account.scales.time);
+      guideway += odds * square(one.scales.guideway);
+      instrument += odds * square(one.scales.instrument);
+      time += odds * square(one.scales.time);
     }
     return {std::sqrt(guideway / all), std::sqrt(instrument / all), std::sqrt(time / all)};
   }
 
   /// The answer's own fit, changed by the contributions of pattern and effects.
-  std::optional<FittedAccount> byMoves() {
-    const auto with = m_accounts.of(m_whole, m_scales),
-               without = m_accounts.of(m_answer.explanation, noEffect);
+  std::optional<FittedExplanation> byMoves() {
+    const auto with = m_weighed.of(m_whole, m_scales), without = m_weighed.of(m_answer.explanation, noEffect);
     const std::optional<Intersection> found = intersect(*m_answer.after.measurement, *m_answer.after.fit);
     if (!with || !without || !found) return std::nullopt;
-    FittedAccount account{estimateOf(*found), m_scales, {}, found->budget, noiseScale(*m_answer.after.fit)};
-    IntersectionEstimate& estimate = account.estimate;
+    FittedExplanation fitted{
+        estimateOf(*found), m_scales, {}, found->budget, noiseScale(*m_answer.after.fit)};
+    IntersectionEstimate& estimate = fitted.estimate;
     const double factor = estimate.expanded / estimate.sigma;
     double ofTerms = 0;
     for (std::size_t i = 0; i < with->ofEffects.size(); ++i) {
-      const EstimatedTerm& term = m_accounts.effects()[i];
-      account.terms[term.term] = {
+      const EstimatedTerm& term = m_weighed.effects()[i];
+      fitted.terms[term.term] = {
           term.priorSigma * m_scales.of(*effectOf(term.term, *m_inquiry.base.measurement)),
           with->ofEffects[i]};
       ofTerms += with->ofEffects[i];
@@ -200,32 +199,32 @@ class Measured {
     const double more = std::max(with->variance - without->variance, ofTerms);
     estimate.sigma = std::sqrt(square(estimate.sigma) + more);
     estimate.expanded = factor * estimate.sigma;
-    estimate.accounts = {{1, estimate.value, estimate.sigma}};
-    account.others.push_back({UncertaintySource::ModelEffects, std::sqrt(more - ofTerms)});
-    return account;
+    estimate.explanations = {{1, estimate.value, estimate.sigma}};
+    fitted.others.push_back({UncertaintySource::ModelEffects, std::sqrt(more - ofTerms)});
+    return fitted;
   }
 
   /// The average over every explanation with each scale of the effects.
   IntersectionEstimate averaged(IntersectionEstimate own) {
-    const std::optional<Account> ofWhole = m_accounts.of(m_whole, m_scales);
+    const std::optional<WeighedExplanation> ofWhole = m_weighed.of(m_whole, m_scales);
     if (!ofWhole || !(own.sigma > 0)) return own;
     if (m_whole.shaped && !isLarge(*m_inquiry.base.measurement)) {
-      const std::optional<Account> ofRest = m_accounts.of(rest(), m_scales);
+      const std::optional<WeighedExplanation> ofRest = m_weighed.of(rest(), m_scales);
       own = widerBy(own, ofRest ? ofWhole->ofWeights - ofRest->ofWeights : 0);
     }
     constexpr double least = 1e-4;
-    std::vector<Account> all;
+    std::vector<WeighedExplanation> all;
     double most = impossible;
     for (const Explanation& explanation : explanations())
-      for (Account& account : m_accounts.of(explanation)) {
-        most = std::max(most, account.logOdds);
-        all.push_back(std::move(account));
+      for (WeighedExplanation& one : m_weighed.of(explanation)) {
+        most = std::max(most, one.logOdds);
+        all.push_back(std::move(one));
       }
     if (all.empty()) return own;
     std::vector<Possible> possible;
-    for (const Account& account : all)
-      if (const double odds = std::exp(account.logOdds - most); odds > least)
-        possible.push_back({odds, account.value - ofWhole->value, account.variance - ofWhole->variance});
+    for (const WeighedExplanation& one : all)
+      if (const double odds = std::exp(one.logOdds - most); odds > least)
+        possible.push_back({odds, one.value - ofWhole->value, one.variance - ofWhole->variance});
     return averagedOver(own, possible, m_inquiry.base.measurement->coverage);
   }
 
@@ -240,7 +239,7 @@ class Measured {
                            !explanation.shaped;
       const bool counts = explanation.chance >= leastChance || explanation.parts.empty() || isAlone;
       const auto isThat = [&](const Explanation& other) { return areAlike(other, explanation); };
-      if (counts && isOfAccount(explanation, m_answer) && std::ranges::none_of(all, isThat))
+      if (counts && isInAverage(explanation, m_answer) && std::ranges::none_of(all, isThat))
         all.push_back(explanation);
     }
     addStale(all);
@@ -255,7 +254,7 @@ class Measured {
       Part part;
       part.component = i;
       part.weights = Eigen::VectorXd::Zero(component.weights());
-      const auto evidence = m_accounts.logEvidenceOf(m_whole, part);
+      const auto evidence = m_weighed.logEvidenceOf(m_whole, part);
       if (!evidence) continue;
       const double chance = staleChanceOf(*m_inquiry.base.measurement,
                                           *effectById(component.id(), *m_inquiry.base.measurement));

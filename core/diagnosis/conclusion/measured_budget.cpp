@@ -16,18 +16,19 @@ namespace alidade {
 
 namespace {
 
-std::vector<UncertaintyShare> sharesOfEffects(const FittedAccount& account, const Measurement& measurement) {
+std::vector<UncertaintyShare> sharesOfEffects(const FittedExplanation& fitted,
+                                              const Measurement& measurement) {
   constexpr double rounding = 1e-9;
   std::vector<UncertaintyShare> shares;
   for (const Effect* effect : effectsOf(measurement)) {
     UncertaintyShare share{.effect = std::string(effect->id), .from = UncertaintyShare::From::Default};
     double variance = 0;
     for (const EffectParameter& parameter : effect->parameters) {
-      const auto term = account.terms.find(parameter.term);
-      if (term == account.terms.end()) continue;
+      const auto term = fitted.terms.find(parameter.term);
+      if (term == fitted.terms.end()) continue;
       const auto& [priorSigma, ofTerm] = term->second;
       const std::optional<KnownPrior> known = knownOf(measurement, parameter);
-      const double usual = known ? known->sigma : plausibleSize(parameter) * account.scales.of(*effect);
+      const double usual = known ? known->sigma : plausibleSize(parameter) * fitted.scales.of(*effect);
       if (priorSigma > usual * (1 + rounding)) {
         share.from = UncertaintyShare::From::Diagnosis;
       } else if (known) {
@@ -42,7 +43,7 @@ std::vector<UncertaintyShare> sharesOfEffects(const FittedAccount& account, cons
     if (!share.sizes.empty()) shares.push_back(std::move(share));
   }
   double ofJump = 0;
-  for (const auto& [term, share] : account.terms)
+  for (const auto& [term, share] : fitted.terms)
     if (isOfJump(term)) ofJump += share.variance;
   if (ofJump > 0)
     shares.push_back({.effect = std::string(jumpId),
@@ -53,12 +54,12 @@ std::vector<UncertaintyShare> sharesOfEffects(const FittedAccount& account, cons
 
 }  // namespace
 
-std::vector<UncertaintyShare> budgetOf(const FittedAccount& account, const Measurement& measurement,
+std::vector<UncertaintyShare> budgetOf(const FittedExplanation& fitted, const Measurement& measurement,
                                        const IntersectionEstimate& averaged) {
   using enum UncertaintyShare::From;
-  std::vector<UncertaintyShare> shares = sharesOfEffects(account, measurement);
-  const double degreesOfFreedom = account.noise.degreesOfFreedom;
-  for (const BudgetEntry& entry : account.others) {
+  std::vector<UncertaintyShare> shares = sharesOfEffects(fitted, measurement);
+  const double degreesOfFreedom = fitted.noise.degreesOfFreedom;
+  for (const BudgetEntry& entry : fitted.others) {
     const bool isOfReadings =
         entry.source == UncertaintySource::Readings || entry.source == UncertaintySource::ModelEffects;
     if (isOfReadings)
@@ -70,11 +71,11 @@ std::vector<UncertaintyShare> budgetOf(const FittedAccount& account, const Measu
     else
       shares.push_back({.source = entry.source, .sigma = entry.sigma});
   }
-  const double beyond = square(averaged.sigma) - square(account.estimate.sigma);
+  const double beyond = square(averaged.sigma) - square(fitted.estimate.sigma);
   if (beyond > 0) shares.push_back({.from = Diagnosis, .sigma = std::sqrt(beyond)});
-  // An average with smaller σ than the account reduces all shares in proportion.
+  // An average with smaller σ than the explanation reduces all shares in proportion.
   if (beyond < 0)
-    for (UncertaintyShare& share : shares) share.sigma *= averaged.sigma / account.estimate.sigma;
+    for (UncertaintyShare& share : shares) share.sigma *= averaged.sigma / fitted.estimate.sigma;
   std::ranges::stable_sort(shares, std::greater(), &UncertaintyShare::sigma);
   return shares;
 }

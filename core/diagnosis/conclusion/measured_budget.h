@@ -14,8 +14,8 @@ struct TermShare {
   double priorSigma = 0, variance = 0;
 };
 
-/// One account of the readings: Δd with the answer and every effect, and the parts of its variance.
-struct FittedAccount {
+/// One explanation of the readings: Δd with the answer and every effect, and the parts of its variance.
+struct FittedExplanation {
   IntersectionEstimate estimate;
   EffectScales scales;
   std::map<ErrorTerm, TermShare> terms;
@@ -23,8 +23,9 @@ struct FittedAccount {
   NoiseScale noise;
 };
 
-/// The shares of an averaged estimate, the largest first: those of one account, and what the average adds.
-std::vector<UncertaintyShare> budgetOf(const FittedAccount& account, const Measurement& measurement,
+/// The shares of an averaged estimate, the largest first: those of one explanation, and what the average
+/// adds.
+std::vector<UncertaintyShare> budgetOf(const FittedExplanation& fitted, const Measurement& measurement,
                                        const IntersectionEstimate& averaged);
 
 }  // namespace alidade

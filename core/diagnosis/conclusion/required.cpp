@@ -62,7 +62,7 @@ std::vector<Required> whatItWouldTake(const Inquiry& inquiry) {
   const double noise = inquiry.explanations.front().noise;
   for (std::size_t i = 0; i < inquiry.candidates.size(); ++i) {
     const Component& component = inquiry.candidates[i];
-    const bool isEligible = component.isEffect() || component.slippedArc();
+    const bool isEligible = component.isEffect() || component.wrongZeroArc();
     if (!isEligible || component.isKnown() || component.response() == Response::AllOrNothing) continue;
     const VectorXd influence = component.wholeProducts(influences);
     if (influence.norm() < hardlyMoves) continue;

@@ -92,17 +92,17 @@ std::vector<Rival> others(const Inquiry& inquiry, const Explanation& explanation
   const auto isJump = [&](const Part& other) { return inquiry.of(other).isJump(); };
   const bool hasJump = std::ranges::any_of(explanation.parts, isJump);  // an explanation has at most one
   return nearlyLike(inquiry, explanation, index, comparison, [&](const Component& candidate) {
-    return candidate.isEffect() || (candidate.slippedArc() && !hasJump);
+    return candidate.isEffect() || (candidate.wrongZeroArc() && !hasJump);
   });
 }
 
 }  // namespace
 
-std::vector<Rival> otherSlips(const Inquiry& inquiry, const Explanation& explanation, std::size_t part) {
+std::vector<Rival> otherWrongZeros(const Inquiry& inquiry, const Explanation& explanation, std::size_t part) {
   if (!inquiry.of(explanation.parts[part]).isJump()) return {};
   Comparison comparison(inquiry, explanation);
   return nearlyLike(inquiry, explanation, part, comparison,
-                    [](const Component& candidate) { return candidate.slippedArc().has_value(); });
+                    [](const Component& candidate) { return candidate.wrongZeroArc().has_value(); });
 }
 
 std::vector<std::vector<Rival>> rivalsOf(const Inquiry& inquiry, const Explanation& explanation) {

@@ -25,7 +25,7 @@ std::vector<std::vector<Rival>> rivalsOf(const Inquiry& inquiry, const Explanati
 
 /// The jumps between another zero and its first visit that explain nearly the same as the jump `part`. They
 /// are one cause in these readings, but further readings may separate them.
-std::vector<Rival> otherSlips(const Inquiry& inquiry, const Explanation& explanation, std::size_t part);
+std::vector<Rival> otherWrongZeros(const Inquiry& inquiry, const Explanation& explanation, std::size_t part);
 
 /// Probability, 0…1, that the part or one of its rivals is among the causes, in any combination.
 double chanceOf(const Inquiry& inquiry, const Part& part, const std::vector<Rival>& rivals);

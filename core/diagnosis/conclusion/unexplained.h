@@ -25,8 +25,8 @@ namespace alidade {
 // - chance = Σ p(e) × (1 if e contains a pattern without a cause, else the largest q of e). If every effect
 //   at its plausible size is an alternative to the patterns, it is one more e and shares their probability;
 // - sigma² = Σ p(e) Σ q (m² − s²)/4 over the e without a pattern; the change of Δd by a pattern is in the
-//   accounts of Δd (`averaged`). An unnamed cause of a misclosure in x or radius is as likely to act on y of
-//   a position. Its effect on y(180°) − y(0°) has the size m, and that on Δd half of it. Against the
+//   explanations of Δd (`averaged`). An unnamed cause of a misclosure in x or radius is as likely to act on y
+//   of a position. Its effect on y(180°) − y(0°) has the size m, and that on Δd half of it. Against the
 //   reference, Δd itself deviates by m.
 //
 // The first sum is over all explanations. q is computed for the five likeliest without a pattern, each

@@ -6,8 +6,8 @@
 #include <utility>
 
 #include "core/base/square.h"
-#include "core/diagnosis/conclusion/accounts.h"
 #include "core/diagnosis/conclusion/afterwards.h"
+#include "core/diagnosis/conclusion/weighed_explanations.h"
 #include "core/diagnosis/evidence/gain.h"
 #include "core/diagnosis/forms/form_component.h"
 #include "core/diagnosis/gap/gap_size.h"
@@ -50,9 +50,8 @@ std::vector<Explanation> restsOf(const Inquiry& inquiry, const Explanation& cert
 }
 
 /// Log odds (natural), up to a constant, of an explanation together with every effect at its plausible size.
-double logOddsWithEffects(Accounts& accounts, const Explanation& explanation) {
-  const auto alone = accounts.of(explanation, noEffect),
-             withEffects = accounts.of(explanation, EffectScales{});
+double logOddsWithEffects(WeighedExplanations& weighed, const Explanation& explanation) {
+  const auto alone = weighed.of(explanation, noEffect), withEffects = weighed.of(explanation, EffectScales{});
   return alone && withEffects ? explanation.logPosteriorOdds - alone->logOdds + withEffects->logOdds
                               : impossible;
 }
@@ -64,10 +63,11 @@ struct Weighed {
 };
 
 /// Explanations with the combinations, likeliest first. `forms`: part and prior log odds of each combination.
-std::vector<Weighed> weighedWith(Accounts& accounts, const Inquiry& inquiry, const Explanation& certain,
+std::vector<Weighed> weighedWith(WeighedExplanations& weighed, const Inquiry& inquiry,
+                                 const Explanation& certain,
                                  const std::vector<std::pair<Part, double>>& forms) {
   std::vector<Weighed> all;
-  const std::optional<Account> nothing = accounts.of({}, noEffect);
+  const std::optional<WeighedExplanation> nothing = weighed.of({}, noEffect);
   if (!nothing) return all;
   for (const Explanation& rest : restsOf(inquiry, certain))
     for (const auto& [form, logPrior] : forms) {
@@ -75,12 +75,12 @@ std::vector<Weighed> weighedWith(Accounts& accounts, const Inquiry& inquiry, con
       with.shaped = true;
       with.noisy = false;
       with.parts.push_back(form);
-      const std::optional<Account> alone = accounts.of(with, noEffect);
+      const std::optional<WeighedExplanation> alone = weighed.of(with, noEffect);
       if (!alone) continue;
       with.logPosteriorOdds = logPrior + alone->logOdds - nothing->logOdds;
       for (const Part& part : rest.parts)
         with.logPosteriorOdds += inquiry.candidates.groupOf(part.component).logPrior;
-      const double logOdds = logOddsWithEffects(accounts, with);
+      const double logOdds = logOddsWithEffects(weighed, with);
       if (std::isfinite(logOdds)) all.push_back({std::move(with), logOdds});
     }
   std::ranges::stable_sort(all, {}, [](const Weighed& one) { return -one.logOdds; });
@@ -145,8 +145,8 @@ void takeUpForms(Inquiry& inquiry, Answer& answer, const FoundForms& found) {
   }
   Inquiry with = inquiry;
   with.candidates.add(std::move(components), PriorOdds{}.shape);
-  Accounts accounts(with);
-  std::vector<Weighed> all = weighedWith(accounts, with, answer.explanation, parts);
+  WeighedExplanations weighed(with);
+  std::vector<Weighed> all = weighedWith(weighed, with, answer.explanation, parts);
   if (all.empty()) return;
   replacePatterns(with, std::move(all));
 
@@ -159,7 +159,7 @@ void takeUpForms(Inquiry& inquiry, Answer& answer, const FoundForms& found) {
     then.explanation.parts.erase(then.explanation.parts.begin() + static_cast<std::ptrdiff_t>(p));
     then.rivals.erase(then.rivals.begin() + static_cast<std::ptrdiff_t>(p));
   }
-  const Eigen::VectorXd taken = accounts.takenByPattern(likeliest, noEffect);
+  const Eigen::VectorXd taken = weighed.takenByPattern(likeliest, noEffect);
   then.after = without(modelWith(with.base, then.explanation, with.candidates, with.leftover), with, taken);
   then.measured = then.after;
   then.opened = without(openedModelOf(then.after, with.own), with, taken);
@@ -174,16 +174,16 @@ bool hasForms(const Inquiry& inquiry, const Answer& answer) {
 
 std::optional<IntersectionEstimate> intersectionWithForms(const Inquiry& inquiry, const Answer& answer) {
   const std::optional<IntersectionEstimate> own = estimateOf(answer.measured);
-  Accounts accounts(inquiry);
-  const auto likeliest = accounts.of(inquiry.explanations.front(), noEffect),
-             rest = accounts.of(answer.explanation, noEffect);
+  WeighedExplanations weighed(inquiry);
+  const auto likeliest = weighed.of(inquiry.explanations.front(), noEffect),
+             rest = weighed.of(answer.explanation, noEffect);
   if (!own || !likeliest || !rest || !(own->sigma > 0)) return own;
-  const double logOdds = logOddsWithEffects(accounts, inquiry.explanations.front());
+  const double logOdds = logOddsWithEffects(weighed, inquiry.explanations.front());
   std::vector<Possible> all;
   for (const Explanation& explanation : inquiry.explanations)
-    if (const auto account = accounts.of(explanation, noEffect); account && explanation.shaped)
-      all.push_back({std::exp(logOddsWithEffects(accounts, explanation) - logOdds),
-                     account->value - likeliest->value, account->variance - likeliest->variance});
+    if (const auto one = weighed.of(explanation, noEffect); one && explanation.shaped)
+      all.push_back({std::exp(logOddsWithEffects(weighed, explanation) - logOdds),
+                     one->value - likeliest->value, one->variance - likeliest->variance});
   return averagedOver(widerBy(*own, likeliest->ofWeights - rest->ofWeights), all,
                       inquiry.base.measurement->coverage);
 }

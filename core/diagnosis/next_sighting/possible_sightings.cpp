@@ -45,7 +45,7 @@ ArcMeasurement arcAfterTurn(const Measurement& measurement, const ArcMeasurement
   next.zero = {};
   next.zero.elapsed = zero.elapsed;
   next.zeroSightings = {zero};
-  next.time =
+  next.repeat =
       1 + static_cast<int>(std::ranges::count(measurement.arcs, next.axisDeg, &ArcMeasurement::axisDeg));
   return next;
 }

@@ -97,8 +97,8 @@ class Assembly {
   std::vector<std::pair<ErrorTerm, double>> m_known;  ///< known values, subtracted from the residuals
   SightingEquations m_result;
   Index m_columns = 0;
-  /// The column of a term. `m_jumps` has columns of jumps by first row, `m_slips` those of wrong zeros by
-  /// arc.
+  /// The column of a term. `m_jumps` has columns of jumps by first row, `m_wrongZeros` those of wrong zeros
+  /// by arc.
   struct TermColumn {
     ErrorTerm term;
     double size;
@@ -107,7 +107,7 @@ class Assembly {
   std::vector<TermColumn> m_terms;
   Index m_bent = 0;       ///< first column of the second derivatives
   Index m_firstForm = 0;  ///< first column of the forms
-  std::vector<std::pair<std::size_t, Index>> m_jumps, m_slips;
+  std::vector<std::pair<std::size_t, Index>> m_jumps, m_wrongZeros;
   std::map<std::size_t, Index> m_grossErrors;  ///< column of the gross error of a reading
 
   bool isTaken(const LinearReading& reading) const {
@@ -156,7 +156,7 @@ class Assembly {
       if (isBent(*effect)) m_bent = column;
     }
     m_result.effectColumns = m_columns;
-    m_result.priorOdds += odds.jump + odds.zeroSlip + odds.grossError + odds.noise + odds.shape;
+    m_result.priorOdds += odds.jump + odds.wrongZero + odds.grossError + odds.noise + odds.shape;
     if (!m_forms) return;
     m_firstForm = m_columns;
     for (std::size_t i = 0; const Index count : m_forms->counts)
@@ -171,8 +171,8 @@ class Assembly {
       if (order != *orders.begin())
         m_jumps.emplace_back(order, add(jumpId, 2, &jumpWidths(), odds.jump / rows));
     for (std::size_t arc = 0; arc < m_session.newArc; ++arc)
-      m_slips.emplace_back(
-          arc, add(jumpId, 2, &jumpWidths(), std::ldexp(odds.zeroSlip, -1 - static_cast<int>(arc))));
+      m_wrongZeros.emplace_back(
+          arc, add(jumpId, 2, &jumpWidths(), std::ldexp(odds.wrongZero, -1 - static_cast<int>(arc))));
     for (std::size_t i = 0; i < m_all.readings.size(); ++i)
       if (const LinearReading& reading = m_all.readings[i];
           isTaken(reading) && !reading.isZero && reading.kind != ReadingKind::Slider)
@@ -204,7 +204,7 @@ class Assembly {
     };
     for (const auto& [order, at] : m_jumps)
       if (reading.sequence >= order) step(at);
-    for (const auto& [arc, at] : m_slips)
+    for (const auto& [arc, at] : m_wrongZeros)
       if (reading.arc == arc && !reading.isZero) step(at);
     if (const auto gross = m_grossErrors.find(i); gross != m_grossErrors.end()) row[gross->second] = 1;
     return row;

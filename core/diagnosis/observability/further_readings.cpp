@@ -157,7 +157,7 @@ std::optional<FurtherReadings> withPositionAgain(const Measurement& plan, int ax
   if (!first || std::ranges::count(plan.arcs, axisDeg, &ArcMeasurement::axisDeg) > 1) return std::nullopt;
   Measurement more = plan;
   ArcMeasurement again = plan.arcs[*first];
-  ++again.time;
+  ++again.repeat;
   std::size_t next = plan.rows;
   for (const ArcMeasurement& arc : plan.arcs)
     for (const Sighting& sighting : arc.sightings) next = std::max(next, sighting.sequence + 1);

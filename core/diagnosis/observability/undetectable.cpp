@@ -57,7 +57,7 @@ namespace {
 
 /// Returns the arc of a jump, and whether the jump lies between the zero and the first sighting of this arc.
 std::pair<std::size_t, bool> placeOf(const Component& jump, const Measurement& measurement) {
-  if (const auto arc = jump.slippedArc()) return {*arc, true};
+  if (const auto arc = jump.wrongZeroArc()) return {*arc, true};
   const std::size_t first = jump.jumpMoment()->first;
   std::size_t arc = 0;
   const auto endsBefore = [&](const ArcMeasurement& one) {
@@ -96,7 +96,7 @@ std::vector<UndetectableJump> undetectableJumps(const Leftover& leftover, const 
       const auto place = placeOf(candidates[i], measurement);
       const ArcMeasurement& arc = measurement.arcs[place.first];
       const auto [entry, isNew] = byPlace.try_emplace(
-          place, UndetectableJump{.axisDeg = arc.axisDeg, .time = arc.time, .isAfterZero = place.second});
+          place, UndetectableJump{.axisDeg = arc.axisDeg, .repeat = arc.repeat, .isAfterZero = place.second});
       addMoment(entry->second, std::exp(group.logPrior), detectability.influence);
     }
   }

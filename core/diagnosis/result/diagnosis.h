@@ -56,7 +56,7 @@ struct CauseParameter {
 struct ReadingDeviation {
   std::size_t position = 0, row = 0;  ///< indices in the session
   int axisDeg = 0, round = 1, point = 0, face = 1;
-  int time = 1;  ///< as `ArcMeasurement::time`
+  int repeat = 1;  ///< as `ArcMeasurement::repeat`
   ReadingKind kind = ReadingKind::Horizontal;
   /// Arcseconds. In a cause: the error of the reading, with the sign of its circle. In `Diagnosis::readings`:
   /// the residual (`AdjustedReading::residual`).
@@ -102,10 +102,10 @@ struct GapShare {
 /// Δd, y up, mm.
 struct IntersectionEstimate {
   double value = 0, sigma = 0, expanded = 0;
-  /// Distribution of Δd, mm: one account of the readings, or all possible ones with their probabilities. Each
-  /// account follows Student's distribution about its mean.
-  std::vector<NormalPart> accounts = {};
-  double degreesOfFreedom = 0;  ///< effective degrees of freedom of the accounts; may be infinite
+  /// Distribution of Δd, mm: one explanation of the readings, or all possible ones with their probabilities.
+  /// Each explanation follows Student's distribution about its mean.
+  std::vector<NormalPart> explanations = {};
+  double degreesOfFreedom = 0;  ///< effective degrees of freedom of the explanations; may be infinite
 };
 
 /// Returns the estimate of the session's own model.
@@ -177,10 +177,10 @@ struct UndetectableEffect {
 
 /// Undetectable jumps (knocks of the tripod) within one position.
 struct UndetectableJump {
-  int axisDeg = 0, time = 1;  ///< the position, as in `ArcMeasurement`
-  bool isAfterZero = false;   ///< between the pointing zero and the first sighting; otherwise during the
-                              ///< readings
-  double influence = 0;       ///< change of Δd by the plausible size, mm, ≥ 0
+  int axisDeg = 0, repeat = 1;  ///< the position, as in `ArcMeasurement`
+  bool isAfterZero = false;     ///< between the pointing zero and the first sighting; otherwise during the
+                                ///< readings
+  double influence = 0;         ///< change of Δd by the plausible size, mm, ≥ 0
   /// The distribution of the change of Δd, mm: one part for each possible prior width of the jump. `share` is
   /// the fraction of all sessions with such a jump, far below 1; σ is that of the change.
   std::vector<NormalPart> moves = {};

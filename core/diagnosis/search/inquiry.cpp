@@ -65,7 +65,7 @@ Candidates candidatesFor(const GapModel& base, const Leftover& leftover, const D
   }
   if (considered(options, jumpId)) {
     addSharing(odds.jump, jumpComponents(leftover), {.offered = 2, .oneAtMost = true});
-    addSharing(areZerosInDoubt(*base.measurement) ? doubtfulZeros : odds.zeroSlip, zeroSlips(leftover),
+    addSharing(areZerosInDoubt(*base.measurement) ? doubtfulZeros : odds.wrongZero, wrongZeros(leftover),
                {.offered = 2, .oneAtMost = true});
   }
   addSharing(odds.shape, shapeComponents(leftover, *base.measurement, *base.fit, options.without));
@@ -298,7 +298,7 @@ ReadingDeviation deviationAt(const Measurement& measurement, const ReadingRef& r
           .round = sighting.round,
           .point = sighting.point,
           .face = sighting.face,
-          .time = arc.time,
+          .repeat = arc.repeat,
           .kind = ref.kind,
           .size = size};
 }

@@ -126,7 +126,7 @@ class StationFindings {
     if (m_station.rounds < fewestRounds || m_station.targets < fewestTargets)
       add(Severity::Note, Phrase::of("ISO 17123-3 requires at least three rounds to four targets; with %1 "
                                      "degrees of freedom, s of a direction is only a rough figure.",
-                                     displayText(m_station.direction.dof, 0)));
+                                     displayText(m_station.direction.degreesOfFreedom, 0)));
   }
 
   void reportCircles() {
@@ -139,8 +139,8 @@ class StationFindings {
   }
 
   void reportIdentical() {
-    if (m_station.vertical.dof + m_station.direction.dof > 0 && m_station.direction.sumOfSquares == 0 &&
-        m_station.vertical.sumOfSquares == 0)
+    if (m_station.vertical.degreesOfFreedom + m_station.direction.degreesOfFreedom > 0 &&
+        m_station.direction.sumOfSquares == 0 && m_station.vertical.sumOfSquares == 0)
       add(Severity::Warning, Phrase::of("All rounds are identical: s is 0."),
           Phrase::of("Check whether one round was entered several times."));
   }
@@ -149,7 +149,7 @@ class StationFindings {
   void reportIndex() {
     const PairMean& index = m_station.index;
     if (!(index.u > 0)) return;
-    const double p = twoSidedStudent(index.value, index.u, index.dof);
+    const double p = twoSidedStudent(index.value, index.u, index.degreesOfFreedom);
     if (p < levelOfTests)
       add(Severity::Note, Phrase::of("The index of %1 differs from zero by more than its scatter (%2): "
                                      "correct readings in a single face for this index.",
@@ -270,7 +270,7 @@ void reportTest(const std::optional<SigmaTest>& test, const CheckScatter& scatte
                 const char* beyond, std::vector<Finding>& findings) {
   if (!test) return;
   const std::string s = displayText(scatter.s(), 2) + "″", limit = displayText(test->limit, 2) + "″",
-                    sigma = displayShortest(test->sigma) + "″", nu = displayText(scatter.dof, 0);
+                    sigma = displayShortest(test->sigma) + "″", nu = displayText(scatter.degreesOfFreedom, 0);
   findings.push_back({test->isWithin() ? Severity::Note : Severity::Warning,
                       Phrase::of(test->isWithin() ? within : beyond, s, sigma, limit, nu)});
 }

@@ -19,8 +19,8 @@ using Cells = std::vector<std::string>;
 constexpr std::size_t longestName = 40;
 
 std::string scatterText(const CheckScatter& scatter) {
-  if (!(scatter.dof > 0)) return "—";
-  return displayText(scatter.s(), 2) + "″ (" + displayText(scatter.dof, 0) + ")";
+  if (!(scatter.degreesOfFreedom > 0)) return "—";
+  return displayText(scatter.s(), 2) + "″ (" + displayText(scatter.degreesOfFreedom, 0) + ")";
 }
 
 std::string meanText(const PairMean& mean) {
@@ -115,7 +115,7 @@ std::optional<bool> hasPassed(const InstrumentCheck& check) {
   for (const auto& [scatter, test] :
        {std::pair(&check.direction, &check.directionTest), std::pair(&check.vertical, &check.verticalTest)}) {
     if (*test && !(*test)->isWithin()) return false;
-    if (!(scatter->dof > 0)) continue;
+    if (!(scatter->degreesOfFreedom > 0)) continue;
     if (!*test) return std::nullopt;
     isWhole = true;
   }
@@ -126,7 +126,7 @@ Statement checkVerdict(const InstrumentCheck& check, const std::vector<Finding>&
   std::string figures;
   for (const bool isDirection : {true, false}) {
     const CheckScatter& scatter = isDirection ? check.direction : check.vertical;
-    if (!(scatter.dof > 0)) continue;
+    if (!(scatter.degreesOfFreedom > 0)) continue;
     const std::string one =
         judgedText(scatter, isDirection ? check.directionTest : check.verticalTest, isDirection);
     figures = figures.empty() ? one : Phrase::of("%1, %2", figures, one);

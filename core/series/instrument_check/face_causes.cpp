@@ -24,20 +24,20 @@ class FaceFit {
 
   /// False if the unknowns cannot be separated, or without a degree of freedom.
   bool solve() {
-    m_dof = static_cast<double>(m_count - m_right.size());
-    if (!(m_dof > 0)) return false;
+    m_degreesOfFreedom = static_cast<double>(m_count - m_right.size());
+    if (!(m_degreesOfFreedom > 0)) return false;
     const Eigen::VectorXd lengths = m_normal.diagonal().cwiseSqrt();
     const Eigen::MatrixXd cosines = m_normal.cwiseQuotient(lengths * lengths.transpose());
     constexpr double leastIndependent = 1e-10;  // of equal columns, rounding leaves 1e-16
     if (!(cosines.determinant() > leastIndependent)) return false;
     m_inverse = m_normal.inverse();
     m_solution = m_inverse * m_right;
-    m_variance = std::max(m_squares - m_solution.dot(m_right), 0.0) / m_dof;
+    m_variance = std::max(m_squares - m_solution.dot(m_right), 0.0) / m_degreesOfFreedom;
     return true;
   }
 
   PairMean collimation() const {
-    return {m_solution(0), u(0), std::sqrt(m_variance), m_dof, m_inverse(0, 0)};
+    return {m_solution(0), u(0), std::sqrt(m_variance), m_degreesOfFreedom, m_inverse(0, 0)};
   }
   TwoCauses tilt() const { return with(1); }
   TwoCauses lineOfSight() const { return with(m_right.size() - 1); }
@@ -64,8 +64,8 @@ class FaceFit {
             m_solution(other),
             u(other),
             correlation,
-            m_dof,
-            twoSidedStudent(m_solution(other), u(other), m_dof),
+            m_degreesOfFreedom,
+            twoSidedStudent(m_solution(other), u(other), m_degreesOfFreedom),
             m_inverse(0, 0),
             m_inverse(0, other),
             m_inverse(other, other)};
@@ -74,7 +74,7 @@ class FaceFit {
   bool m_ofTilt, m_ofDistance;
   Eigen::MatrixXd m_normal, m_inverse;
   Eigen::VectorXd m_right, m_solution;
-  double m_squares = 0, m_variance = 0, m_dof = 0;
+  double m_squares = 0, m_variance = 0, m_degreesOfFreedom = 0;
   Eigen::Index m_count = 0;
 };
 
@@ -83,7 +83,7 @@ double shows(const TwoCauses& cause, double plausible) {
 }
 
 bool isStated(const TwoCauses& cause, double plausible) {
-  const double least = std::max(3.0, coverageFactor(1 - levelOfTests, cause.dof));
+  const double least = std::max(3.0, coverageFactor(1 - levelOfTests, cause.degreesOfFreedom));
   return cause.pValue < levelOfTests || shows(cause, plausible) >= least;
 }
 
@@ -162,9 +162,9 @@ class FaceSeparation {
 
 }  // namespace
 
-double twoSidedStudent(double value, double u, double dof) {
+double twoSidedStudent(double value, double u, double degreesOfFreedom) {
   if (std::abs(value) < roundingArcsec) return 1;
-  const auto lower = studentLowerTail(-std::abs(value / u), dof);
+  const auto lower = studentLowerTail(-std::abs(value / u), degreesOfFreedom);
   return lower ? 2 * *lower : std::numeric_limits<double>::quiet_NaN();
 }
 

@@ -19,7 +19,7 @@ inline constexpr double plausibleTilt = 30, plausibleOffset = 0.5;
 /// 1/N. Members that too few values leave undetermined are NaN.
 struct PairMean {
   double value, u, scatter;
-  double dof;
+  double degreesOfFreedom;
   double cofactor = std::numeric_limits<double>::quiet_NaN();
 };
 
@@ -27,15 +27,15 @@ struct PairMean {
 struct TwoCauses {
   double collimation, uCollimation;
   double other, uOther;
-  double correlation;  ///< of both
-  double dof;          ///< pairs − unknowns
-  double pValue;       ///< two-sided probability that chance exceeds `other`
+  double correlation;       ///< of both
+  double degreesOfFreedom;  ///< pairs − unknowns
+  double pValue;            ///< two-sided probability that chance exceeds `other`
   /// Cofactors of c, of c with the other cause, and of the other: covariance = scatter² · cofactor.
   double cofactorCollimation = 1, cofactorBoth = 0, cofactorOther = 1;
 };
 
 /// Two-sided probability that chance yields a value as far from zero with this u (Student). NaN: unknown.
-double twoSidedStudent(double value, double u, double dof);
+double twoSidedStudent(double value, double u, double degreesOfFreedom);
 
 /// Half the difference of the faces at one target: h = c/cos e + i tan e + e_s/(D cos e), where e_s is the
 /// offset of the line of sight from the vertical axis.

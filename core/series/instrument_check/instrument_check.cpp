@@ -14,21 +14,26 @@ namespace {
 
 constexpr double nothing = std::numeric_limits<double>::quiet_NaN();
 
-/// The value that χ² of `dof` > 0 degrees of freedom exceeds with probability `tail`.
-double chiSquareLimit(double tail, double dof) {
-  return boost::math::quantile(complement(boost::math::chi_squared_distribution<double>(dof), tail));
+/// The value that χ² of `degreesOfFreedom` > 0 degrees of freedom exceeds with probability `tail`.
+double chiSquareLimit(double tail, double degreesOfFreedom) {
+  return boost::math::quantile(
+      complement(boost::math::chi_squared_distribution<double>(degreesOfFreedom), tail));
 }
 
 std::optional<SigmaTest> testedAgainst(std::optional<double> sigma, const CheckScatter& scatter) {
   if (!sigma || !(*sigma > 0)) return std::nullopt;
-  const auto p = chiSquareUpperTail(scatter.sumOfSquares / square(*sigma), scatter.dof);
+  const auto p = chiSquareUpperTail(scatter.sumOfSquares / square(*sigma), scatter.degreesOfFreedom);
   if (!p) return std::nullopt;
-  return SigmaTest{*sigma, *sigma * std::sqrt(chiSquareLimit(levelOfTests, scatter.dof) / scatter.dof), *p};
+  return SigmaTest{
+      *sigma,
+      *sigma * std::sqrt(chiSquareLimit(levelOfTests, scatter.degreesOfFreedom) / scatter.degreesOfFreedom),
+      *p};
 }
 
 double differ(const CheckScatter& one, const CheckScatter& two) {
-  if (!(one.dof > 0) || !(two.dof > 0) || !(two.sumOfSquares > 0)) return nothing;
-  const auto above = fUpperTail(one.sumOfSquares / square(two.s()), one.dof, two.dof);
+  if (!(one.degreesOfFreedom > 0) || !(two.degreesOfFreedom > 0) || !(two.sumOfSquares > 0)) return nothing;
+  const auto above =
+      fUpperTail(one.sumOfSquares / square(two.s()), one.degreesOfFreedom, two.degreesOfFreedom);
   return above ? 2 * std::min(*above, 1 - *above) : nothing;
 }
 
@@ -44,7 +49,9 @@ void takeFaces(InstrumentCheck& check) {
 }
 
 CheckScatter without(const CheckScatter& all, const CheckScatter& part) {
-  return part.dof > 0 ? CheckScatter{all.sumOfSquares - part.sumOfSquares, all.dof - part.dof} : all;
+  return part.degreesOfFreedom > 0 ? CheckScatter{all.sumOfSquares - part.sumOfSquares,
+                                                  all.degreesOfFreedom - part.degreesOfFreedom}
+                                   : all;
 }
 
 }  // namespace

@@ -27,7 +27,7 @@ Json slopeJson(const std::optional<RoundTrend>& slope) {
   if (!slope) return nullptr;
   return {{"per_round_arcsec", finite(slope->perRound)},
           {"u_arcsec", finite(slope->u)},
-          {"dof", whole(slope->dof)},
+          {"dof", whole(slope->degreesOfFreedom)},
           {"p_value", finite(slope->pValue)}};
 }
 
@@ -38,7 +38,7 @@ Json causesJson(const std::optional<TwoCauses>& causes, const char* name, const 
           {"collimation_arcsec", finite(causes->collimation)},
           {"u_collimation_arcsec", finite(causes->uCollimation)},
           {"correlation", finite(causes->correlation)},
-          {"dof", whole(causes->dof)},
+          {"dof", whole(causes->degreesOfFreedom)},
           {"p_value", finite(causes->pValue)}};
 }
 
@@ -66,14 +66,14 @@ Json targetsJson(const StationCheck& station) {
 Json scatterJson(const CheckScatter& direction, const CheckScatter& vertical, const PairMean& collimation,
                  const PairMean& index) {
   return {{"s_direction_arcsec", finite(direction.s())},
-          {"dof_direction", whole(direction.dof)},
+          {"dof_direction", whole(direction.degreesOfFreedom)},
           {"s_zenith_arcsec", finite(vertical.s())},
-          {"dof_zenith", whole(vertical.dof)},
+          {"dof_zenith", whole(vertical.degreesOfFreedom)},
           {"collimation_arcsec", finite(collimation.value)},
           {"u_collimation_arcsec", finite(collimation.u)},
           {"index_arcsec", finite(index.value)},
           {"u_index_arcsec", finite(index.u)},
-          {"dof_faces", whole(index.dof)}};
+          {"dof_faces", whole(index.degreesOfFreedom)}};
 }
 
 const char* reasonName(LeftOut why) {

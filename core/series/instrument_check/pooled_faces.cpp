@@ -17,20 +17,20 @@ constexpr double notKnown = std::numeric_limits<double>::quiet_NaN();
 struct StationNumbers {
   Eigen::VectorXd values;
   Eigen::MatrixXd cofactors;
-  double variance, dof;  ///< the variance is NaN without degrees of freedom
+  double variance, degreesOfFreedom;  ///< the variance is NaN without degrees of freedom
 };
 
 /// Least squares of the numbers over all stations.
 struct NumbersTogether {
   Eigen::VectorXd values;
   Eigen::MatrixXd cofactors;
-  double variance = notKnown, dof = 0;  ///< pooled, within stations
-  double widening = 1;                  ///< factor of u, ≥ 1: √F of the differences between stations
+  double variance = notKnown, degreesOfFreedom = 0;  ///< pooled, within stations
+  double widening = 1;  ///< factor of u, ≥ 1: √F of the differences between stations
   double differP = notKnown;
 
   double u(Eigen::Index k) const { return widening * std::sqrt(variance * cofactors(k, k)); }
   PairMean mean(Eigen::Index k) const {
-    return {values(k), u(k), widening * std::sqrt(variance), dof, cofactors(k, k)};
+    return {values(k), u(k), widening * std::sqrt(variance), degreesOfFreedom, cofactors(k, k)};
   }
 };
 
@@ -45,12 +45,12 @@ std::optional<NumbersTogether> putTogether(const std::vector<StationNumbers>& st
     const Eigen::MatrixXd weight = station.cofactors.inverse();
     weights += weight;
     weighted += weight * station.values;
-    all.dof += station.dof;
-    if (station.dof > 0) squares += station.dof * station.variance;
+    all.degreesOfFreedom += station.degreesOfFreedom;
+    if (station.degreesOfFreedom > 0) squares += station.degreesOfFreedom * station.variance;
   }
   all.cofactors = weights.inverse();
   all.values = all.cofactors * weighted;
-  if (all.dof > 0) all.variance = squares / all.dof;
+  if (all.degreesOfFreedom > 0) all.variance = squares / all.degreesOfFreedom;
   if (stations.size() == 1 || !(all.variance > square(roundingArcsec))) return all;
   double between = 0;
   for (const StationNumbers& station : stations) {
@@ -58,7 +58,7 @@ std::optional<NumbersTogether> putTogether(const std::vector<StationNumbers>& st
     between += off.dot(station.cofactors.inverse() * off);
   }
   const auto conditions = static_cast<double>(size) * (static_cast<double>(stations.size()) - 1);
-  all.differP = fUpperTail(between / all.variance, conditions, all.dof).value_or(notKnown);
+  all.differP = fUpperTail(between / all.variance, conditions, all.degreesOfFreedom).value_or(notKnown);
   all.widening = std::sqrt(std::max(1.0, between / conditions / all.variance));
   return all;
 }
@@ -71,7 +71,7 @@ Eigen::Matrix2d cofactorsOf(const TwoCauses& causes) {
 
 StationNumbers numbersOf(const PairMean& mean) {
   return {Eigen::VectorXd::Constant(1, mean.value), Eigen::MatrixXd::Constant(1, 1, mean.cofactor),
-          square(mean.scatter), mean.dof};
+          square(mean.scatter), mean.degreesOfFreedom};
 }
 
 Pooled pooledOf(const std::vector<StationCheck>& stations, PairMean StationCheck::*of) {
@@ -95,7 +95,7 @@ PooledSight pooledSight(const std::vector<StationCheck>& stations) {
     if (!station.causes.lineOfSight) continue;
     const TwoCauses& sight = *station.causes.lineOfSight;
     numbers.push_back({Eigen::Vector2d(station.collimation.value, sight.other), cofactorsOf(sight),
-                       square(station.collimation.scatter), station.collimation.dof});
+                       square(station.collimation.scatter), station.collimation.degreesOfFreedom});
   }
   const auto all = putTogether(numbers);
   if (!all) return {pooledOf(stations, &StationCheck::collimation), std::nullopt};
@@ -105,13 +105,13 @@ PooledSight pooledSight(const std::vector<StationCheck>& stations) {
                   .other = all->values(1),
                   .uOther = all->u(1),
                   .correlation = q(0, 1) / std::sqrt(q(0, 0) * q(1, 1)),
-                  .dof = all->dof,
-                  .pValue = twoSidedStudent(all->values(1), all->u(1), all->dof)};
+                  .degreesOfFreedom = all->degreesOfFreedom,
+                  .pValue = twoSidedStudent(all->values(1), all->u(1), all->degreesOfFreedom)};
   return {{all->mean(0), all->differP}, sight};
 }
 
 std::optional<PairMean> pooledTilt(const std::vector<StationCheck>& stations) {
-  double weights = 0, sum = 0, misfit = 0, count = 0, dof = 0;
+  double weights = 0, sum = 0, chiSquare = 0, count = 0, degreesOfFreedom = 0;
   const auto forEachTilt = [&](const auto& use) {
     for (const StationCheck& station : stations)
       if (const auto& tilt = station.causes.tilt; tilt && tilt->uOther > 0) use(*tilt);
@@ -119,15 +119,15 @@ std::optional<PairMean> pooledTilt(const std::vector<StationCheck>& stations) {
   forEachTilt([&](const TwoCauses& tilt) {
     weights += 1 / square(tilt.uOther);
     sum += tilt.other / square(tilt.uOther);
-    dof += tilt.dof;
+    degreesOfFreedom += tilt.degreesOfFreedom;
     ++count;
   });
   if (count == 0) return std::nullopt;
   const double mean = sum / weights;
-  forEachTilt([&](const TwoCauses& tilt) { misfit += square((tilt.other - mean) / tilt.uOther); });
-  const double widening = count > 1 ? std::sqrt(std::max(1.0, misfit / (count - 1))) : 1;
+  forEachTilt([&](const TwoCauses& tilt) { chiSquare += square((tilt.other - mean) / tilt.uOther); });
+  const double widening = count > 1 ? std::sqrt(std::max(1.0, chiSquare / (count - 1))) : 1;
   const double u = widening / std::sqrt(weights);
-  return PairMean{mean, u, u, dof, 1};
+  return PairMean{mean, u, u, degreesOfFreedom, 1};
 }
 
 }  // namespace alidade

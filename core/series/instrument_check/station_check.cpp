@@ -40,8 +40,8 @@ std::optional<RoundTrend> slopeOf(const std::vector<double>& values) {
   const double slope = across / along;
   for (std::size_t i = 0; i < values.size(); ++i)
     left += square(values[i] - mean - slope * (static_cast<double>(i) - centre));
-  const double dof = count - 2, u = std::sqrt(left / dof / along);
-  return RoundTrend{slope, u, dof, twoSidedStudent(slope, u, dof)};
+  const double degreesOfFreedom = count - 2, u = std::sqrt(left / degreesOfFreedom / along);
+  return RoundTrend{slope, u, degreesOfFreedom, twoSidedStudent(slope, u, degreesOfFreedom)};
 }
 
 /// Evaluates the complete rounds of a station; residuals in arcseconds.
@@ -119,8 +119,8 @@ class StationEvaluation {
     }
   }
 
-  static CheckScatter scatterOf(const std::vector<double>& residuals, std::size_t dof) {
-    CheckScatter scatter{0, static_cast<double>(dof)};
+  static CheckScatter scatterOf(const std::vector<double>& residuals, std::size_t degreesOfFreedom) {
+    CheckScatter scatter{0, static_cast<double>(degreesOfFreedom)};
     for (const double residual : residuals) scatter.sumOfSquares += square(residual);
     return scatter;
   }
@@ -200,12 +200,14 @@ class StationEvaluation {
       m_check.perTarget.push_back({m_station.targets[k], elevationDeg(k), distanceM(k), mean.value,
                                    meanOf(ofTarget(m_indices, k)).value});
     }
-    const double dofBetween = static_cast<double>(targets()) - 1,
-                 dofWithin = static_cast<double>(targets() * (rounds() - 1));
-    const double variance = within / dofWithin;
-    m_check.targetsDifferP = variance > square(roundingArcsec)
-                                 ? fUpperTail(between / variance, dofBetween, dofWithin).value_or(unknown)
-                                 : unknown;
+    const double degreesOfFreedomBetween = static_cast<double>(targets()) - 1,
+                 degreesOfFreedomWithin = static_cast<double>(targets() * (rounds() - 1));
+    const double variance = within / degreesOfFreedomWithin;
+    m_check.targetsDifferP =
+        variance > square(roundingArcsec)
+            ? fUpperTail(between / variance, degreesOfFreedomBetween, degreesOfFreedomWithin)
+                  .value_or(unknown)
+            : unknown;
   }
 
   double elevationDeg(std::size_t target) const {
@@ -265,7 +267,7 @@ class StationEvaluation {
     PairMean& mean = m_check.collimation;
     mean.u = std::sqrt(squares / (count - 1) / count);
     mean.scatter = mean.u / std::sqrt(mean.cofactor);
-    mean.dof = count - 1;
+    mean.degreesOfFreedom = count - 1;
   }
 
   /// Finds the extreme elevations and, if all distances are known, the extreme distances.
@@ -288,13 +290,13 @@ class StationEvaluation {
 }  // namespace
 
 double CheckScatter::s() const {
-  return dof > 0 ? std::sqrt(sumOfSquares / dof) : unknown;
+  return degreesOfFreedom > 0 ? std::sqrt(sumOfSquares / degreesOfFreedom) : unknown;
 }
 
 void CheckScatter::add(const CheckScatter& other) {
-  if (!(other.dof > 0)) return;
+  if (!(other.degreesOfFreedom > 0)) return;
   sumOfSquares += other.sumOfSquares;
-  dof += other.dof;
+  degreesOfFreedom += other.degreesOfFreedom;
 }
 
 StationCheck checkStation(const StationRounds& station) {

@@ -27,7 +27,7 @@ namespace alidade {
 
 /// A standard deviation from its sum of squares; `s` is NaN without degrees of freedom.
 struct CheckScatter {
-  double sumOfSquares = 0, dof = 0;
+  double sumOfSquares = 0, degreesOfFreedom = 0;
 
   double s() const;
   void add(const CheckScatter& other);
@@ -36,8 +36,8 @@ struct CheckScatter {
 /// Linear trend of values over the rounds, by least squares, and its significance.
 struct RoundTrend {
   double perRound, u;
-  double dof;     ///< rounds − 2
-  double pValue;  ///< two-sided probability that chance exceeds the slope
+  double degreesOfFreedom;  ///< rounds − 2
+  double pValue;            ///< two-sided probability that chance exceeds the slope
 };
 
 /// The results of one round.

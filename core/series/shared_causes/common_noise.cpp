@@ -18,7 +18,7 @@ using noise_policy::knownTo;
 /// Remaining residuals of an instrument's sessions, one entry for each.
 struct Left {
   std::vector<std::size_t> sessions;
-  std::vector<bool> isNoisy;  ///< its own account already includes larger noise
+  std::vector<bool> isNoisy;  ///< its own explanation already includes larger noise
   std::vector<double> chiSquares, f;
 
   double sumOfF() const { return std::accumulate(f.begin(), f.end(), 0.0); }
@@ -114,8 +114,8 @@ std::vector<CommonNoise> noiseOf(const std::string& instrument, const Left& left
 }  // namespace
 
 double chiSquareLeft(const SessionSums& sums, std::size_t session, const SharedSet& set) {
-  const std::size_t account = set.accounts[session];
-  const OwnAccount& own = sums.account(account);
+  const std::size_t explanation = set.explanations[session];
+  const SessionExplanation& own = sums.explanation(explanation);
   const double variance = std::pow(std::max(sums.noise(), own.noise), 2);
   double left = own.chiSquare;
   struct Share {
@@ -130,9 +130,9 @@ double chiSquareLeft(const SessionSums& sums, std::size_t session, const SharedS
                       part.weightsIn(static_cast<std::size_t>(found - part.block.sessions.begin()))});
   }
   for (const Share& a : shares) {
-    left -= 2 * variance * sums.right(account, *a.columns).dot(a.weights);
+    left -= 2 * variance * sums.right(explanation, *a.columns).dot(a.weights);
     for (const Share& b : shares)
-      left += variance * a.weights.dot(sums.normal(account, *a.columns, *b.columns) * b.weights);
+      left += variance * a.weights.dot(sums.normal(explanation, *a.columns, *b.columns) * b.weights);
   }
   return std::max(left, 0.0);
 }
@@ -141,12 +141,13 @@ std::vector<CommonNoise> commonNoise(const std::vector<SessionSums>& sums,
                                      const std::vector<SessionOwners>& owners, const SharedSet& set) {
   std::map<std::string, Left> ofInstruments;
   for (std::size_t s = 0; s < sums.size(); ++s) {
-    const OwnAccount& account = sums[s].account(set.accounts[s]);
+    const SessionExplanation& explanation = sums[s].explanation(set.explanations[s]);
     if (owners[s].instrument.empty()) continue;
     Left& left = ofInstruments[owners[s].instrument];
     left.chiSquares.push_back(chiSquareLeft(sums[s], s, set));
-    left.f.push_back(std::max(0, sums[s].evidence().degreesOfFreedom - static_cast<int>(account.directions)));
-    left.isNoisy.push_back(account.noisy);
+    left.f.push_back(
+        std::max(0, sums[s].evidence().degreesOfFreedom - static_cast<int>(explanation.directions)));
+    left.isNoisy.push_back(explanation.noisy);
     left.sessions.push_back(s);
   }
   std::vector<CommonNoise> list;

@@ -23,7 +23,7 @@ struct CommonNoise {
 std::vector<CommonNoise> commonNoise(const std::vector<SessionSums>& sums,
                                      const std::vector<SessionOwners>& owners, const SharedSet& set);
 
-/// χ² that the set and the session's account leave, at the stated σ.
+/// χ² that the set and the session's explanation leave, at the stated σ.
 double chiSquareLeft(const SessionSums& sums, std::size_t session, const SharedSet& set);
 
 }  // namespace alidade

@@ -201,7 +201,7 @@ class Conclusion {
       }
       std::vector<EffectBlock> rest = blocksOf(m_best);
       rest.erase(rest.begin() + static_cast<std::ptrdiff_t>(p));
-      m_best = m_search.madeOf(rest, m_best.accounts);
+      m_best = m_search.madeOf(rest, m_best.explanations);
       p = 0;
     }
   }
@@ -229,7 +229,7 @@ class Conclusion {
     if (!drift.sessions.empty()) {
       std::vector<EffectBlock> blocks = blocksOf(m_best);
       blocks[p] = drift;
-      moved = m_search.madeOf(blocks, m_best.accounts);
+      moved = m_search.madeOf(blocks, m_best.explanations);
       if (moved->logPosteriorOdds < m_best.logPosteriorOdds + better) moved.reset();
     }
     setApart(p);
@@ -270,7 +270,7 @@ class Conclusion {
       m_apart[p].push_back(block.sessions[*who]);
       std::vector<EffectBlock> blocks = blocksOf(m_best);
       blocks[p].sessions.erase(blocks[p].sessions.begin() + static_cast<std::ptrdiff_t>(*who));
-      m_best = m_search.madeOf(blocks, m_best.accounts);
+      m_best = m_search.madeOf(blocks, m_best.explanations);
     }
   }
 
@@ -279,16 +279,16 @@ class Conclusion {
     const EffectBlock& block = m_best.parts[p].block;
     const std::size_t session = block.sessions[index];
     const SharedSet others =
-        m_search.fitted(blocksOf(m_best), m_best.accounts, [&](std::size_t s) { return s != session; });
+        m_search.fitted(blocksOf(m_best), m_best.explanations, [&](std::size_t s) { return s != session; });
     const VectorXd expected = others.parts[p].weightsIn(index);
     const MatrixXd normal =
-        m_sums[session].normal(m_best.accounts[session], block.columns(), block.columns());
-    VectorXd right = m_sums[session].right(m_best.accounts[session], block.columns()) - normal * expected;
+        m_sums[session].normal(m_best.explanations[session], block.columns(), block.columns());
+    VectorXd right = m_sums[session].right(m_best.explanations[session], block.columns()) - normal * expected;
     for (std::size_t q = 0; q < others.parts.size(); ++q) {
       const EffectBlock& other = others.parts[q].block;
       const auto found = std::ranges::lower_bound(other.sessions, session);
       if (q == p || found == other.sessions.end() || *found != session) continue;
-      right -= m_sums[session].normal(m_best.accounts[session], block.columns(), other.columns()) *
+      right -= m_sums[session].normal(m_best.explanations[session], block.columns(), other.columns()) *
                others.parts[q].weightsIn(static_cast<std::size_t>(found - other.sessions.begin()));
     }
     // N⁻¹ right is the difference of the sizes; its covariance is N⁻¹ plus that of the others' size.
@@ -318,8 +318,8 @@ class Conclusion {
       std::vector<EffectBlock> own = blocksOf(m_best);
       std::swap(blocks[p], blocks.back());
       std::swap(own[p], own.back());
-      const SharedSet with = m_search.madeOf(blocks, m_best.accounts),
-                      as = m_search.madeOf(own, m_best.accounts);
+      const SharedSet with = m_search.madeOf(blocks, m_best.explanations),
+                      as = m_search.madeOf(own, m_best.explanations);
       std::swap(blocks[p], blocks.back());
       if (!(with.parts.back().logGain > supported)) continue;
       const double odds = std::exp(std::min(with.logPosteriorOdds - as.logPosteriorOdds, 10.0));
@@ -339,9 +339,9 @@ class Conclusion {
     for (std::size_t s = 0; s < sessions(); ++s) {
       double chance = 0, most = 0;
       std::string follows;
-      const std::vector<double> chances = m_search.accountChances(s, m_best);
+      const std::vector<double> chances = m_search.explanationChances(s, m_best);
       for (std::size_t k = 1; k < chances.size(); ++k) {
-        const std::string own = shapeIn(m_sums[s].account(k));
+        const std::string own = shapeIn(m_sums[s].explanation(k));
         if (own.empty()) continue;
         chance += chances[k];
         if (chances[k] > most) follows = own;
@@ -357,9 +357,9 @@ class Conclusion {
     return pattern;
   }
 
-  /// Returns the argument of the pattern among an account's causes; empty without a pattern.
-  static std::string shapeIn(const OwnAccount& account) {
-    for (const std::string& id : account.causes)
+  /// Returns the argument of the pattern among an explanation's causes; empty without a pattern.
+  static std::string shapeIn(const SessionExplanation& explanation) {
+    for (const std::string& id : explanation.causes)
       if (!isCause(id)) return id;
     return {};
   }
@@ -475,7 +475,7 @@ class Conclusion {
         conclusion.ownChance[noise.sessions.front()] = noise.probability;
       }
     for (std::size_t s = 0; s < sessions(); ++s) {
-      const std::vector<double> chances = m_search.accountChances(s, m_best);
+      const std::vector<double> chances = m_search.explanationChances(s, m_best);
       double something = 0;
       std::size_t likeliest = 1;
       for (std::size_t k = 1; k < chances.size(); ++k) {
@@ -483,11 +483,11 @@ class Conclusion {
         if (chances[k] > chances[likeliest]) likeliest = k;
       }
       if (something < namedFrom) continue;
-      const OwnAccount& account = m_sums[s].account(likeliest);
+      const SessionExplanation& explanation = m_sums[s].explanation(likeliest);
       std::set<std::string> ids;
-      for (const std::string& id : account.causes)
+      for (const std::string& id : explanation.causes)
         if (isCause(id)) ids.insert(id);
-      if (account.noisy) ids.insert(noiseId);
+      if (explanation.noisy) ids.insert(noiseId);
       conclusion.ownChance[s] = something;
       for (const std::string& id : ids) {
         conclusion.own[s].push_back(id);
@@ -530,7 +530,7 @@ class Conclusion {
   std::vector<SharedSet> foldsOf() const {
     std::vector<SharedSet> folds;
     for (std::size_t fold = 0; fold < foldCount(); ++fold)
-      folds.push_back(m_search.fitted(blocksOf(m_best), m_best.accounts,
+      folds.push_back(m_search.fitted(blocksOf(m_best), m_best.explanations,
                                       [&](std::size_t s) { return s % foldCount() != fold; }));
     return folds;
   }
@@ -548,12 +548,12 @@ class Conclusion {
       before += m_evidence[s].circleSquares;
       after += circleSquares(s, m_best);
       heldOut += circleSquares(s, folds[s % foldCount()]);
-      const OwnAccount& account = m_sums[s].account(m_best.accounts[s]);
-      const double noise = std::max(m_sums[s].noise(), account.noise);
+      const SessionExplanation& explanation = m_sums[s].explanation(m_best.explanations[s]);
+      const double noise = std::max(m_sums[s].noise(), explanation.noise);
       chiBefore += m_evidence[s].chiSquare;
       chiAfter += chiSquareLeft(m_sums[s], s, m_best) / (noise * noise);
       f += m_evidence[s].degreesOfFreedom;
-      fAfter += std::max(0, m_evidence[s].degreesOfFreedom - static_cast<int>(account.directions));
+      fAfter += std::max(0, m_evidence[s].degreesOfFreedom - static_cast<int>(explanation.directions));
     }
     for (const SharedPart& part : m_best.parts) fAfter -= static_cast<double>(part.slope.cols());
     const auto sizeOf = [&](double squares, double chiSquare, double freedom) {

@@ -15,12 +15,12 @@ void addWhere(SeriesDiagnosis& diagnosis, const SearchedSeries& series) {
   std::vector<double> excess;
   for (std::size_t s = 0; s < series.sessions(); ++s) {
     const double f = series.evidence[s].degreesOfFreedom;
-    const OwnAccount& account = series.sums[s].account(series.best.accounts[s]);
+    const SessionExplanation& explanation = series.sums[s].explanation(series.best.explanations[s]);
     excess.push_back(std::max(0.0, series.evidence[s].chiSquare - f));
     ofInstruments[series.owners[s].instrument] += excess.back();
     ofGuideways[series.owners[s].guideway] += excess.back();
-    left += chiSquareLeft(series.sums[s], s, series.best) - f + static_cast<double>(account.directions);
-    own += series.evidence[s].chiSquare - account.chiSquare;
+    left += chiSquareLeft(series.sums[s], s, series.best) - f + static_cast<double>(explanation.directions);
+    own += series.evidence[s].chiSquare - explanation.chiSquare;
   }
   std::map<CauseOwner, double> frames;
   for (const SharedPart& part : series.best.parts)

@@ -17,36 +17,37 @@ EffectMatrix blockOf(const SharedColumns& columns, const std::vector<double>& pr
   return block;
 }
 
-double SessionSums::variance(std::size_t account) const {
-  return std::pow(std::max(m_noise, m_evidence->accounts[account].noise), 2);
+double SessionSums::variance(std::size_t explanation) const {
+  return std::pow(std::max(m_noise, m_evidence->explanations[explanation].noise), 2);
 }
 
-EffectMatrix SessionSums::normal(std::size_t account, const EffectColumns& a, const EffectColumns& b) const {
+EffectMatrix SessionSums::normal(std::size_t explanation, const EffectColumns& a,
+                                 const EffectColumns& b) const {
   EffectMatrix block = plainNormal(a, b);
-  const OwnAccount& own = m_evidence->accounts[account];
+  const SessionExplanation& own = m_evidence->explanations[explanation];
   const std::size_t columns = m_evidence->columns->count();
   for (std::size_t d = 0; d < own.directions; ++d) {
     const Eigen::Map<const VectorXd> ofA(&own.taken[d * columns + a.first], block.rows()),
         ofB(&own.taken[d * columns + b.first], block.cols());
     block.noalias() -= ofA.lazyProduct(ofB.transpose());
   }
-  return block / variance(account);
+  return block / variance(explanation);
 }
 
-EffectVector SessionSums::right(std::size_t account, const EffectColumns& effect) const {
-  const std::vector<double>& right = m_evidence->accounts[account].right;
+EffectVector SessionSums::right(std::size_t explanation, const EffectColumns& effect) const {
+  const std::vector<double>& right = m_evidence->explanations[explanation].right;
   return Eigen::Map<const VectorXd>(&right[effect.first], static_cast<Index>(effect.count)) /
-         variance(account);
+         variance(explanation);
 }
 
-double SessionSums::logOdds(std::size_t account) const {
-  const OwnAccount& own = m_evidence->accounts[account];
+double SessionSums::logOdds(std::size_t explanation) const {
+  const SessionExplanation& own = m_evidence->explanations[explanation];
   if (m_noise == 1) return own.logOdds;
   if (own.noisy && own.noise <= m_noise) return own.logOdds - 1e3;  // `m_noise` includes its larger noise
-  // The account's reduction of χ² counts at `m_noise`. An account of larger noise counts without the part
-  // of its gain that `m_noise` already has.
+  // The explanation's reduction of χ² counts at `m_noise`. An explanation of larger noise counts without the
+  // part of its gain that `m_noise` already has.
   const double gained = (m_evidence->chiSquare - own.chiSquare) / 2;
-  if (!own.noisy) return own.logOdds - gained + gained / variance(account);
+  if (!own.noisy) return own.logOdds - gained + gained / variance(explanation);
   return own.logOdds - m_evidence->chiSquare / 2 * (1 - 1 / (m_noise * m_noise)) +
          m_evidence->degreesOfFreedom * std::log(m_noise);
 }

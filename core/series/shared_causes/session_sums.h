@@ -13,32 +13,32 @@ inline constexpr int mostColumns = 12;
 using EffectMatrix = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, 0, mostColumns, mostColumns>;
 using EffectVector = Eigen::Matrix<double, Eigen::Dynamic, 1, 0, mostColumns, 1>;
 
-/// The normal equations of one session under one of its own accounts, divided by the variance of its noise.
-/// Computed for one effect or two at a time: the equations of all effects together are too large.
+/// The normal equations of one session under one of its own explanations, divided by the variance of its
+/// noise. Computed for one effect or two at a time: the equations of all effects together are too large.
 class SessionSums {
  public:
   explicit SessionSums(const SessionEvidence& evidence) : m_evidence(&evidence) {}
 
   const SessionEvidence& evidence() const { return *m_evidence; }
-  std::size_t accounts() const { return m_evidence->accounts.size(); }
-  const OwnAccount& account(std::size_t index) const { return m_evidence->accounts[index]; }
+  std::size_t explanations() const { return m_evidence->explanations.size(); }
+  const SessionExplanation& explanation(std::size_t index) const { return m_evidence->explanations[index]; }
 
-  /// Multiplies the stated noise by a factor, under every account.
+  /// Multiplies the stated noise by a factor, under every explanation.
   void scaleNoise(double factor) { m_noise = factor; }
   double noise() const { return m_noise; }
 
-  EffectMatrix normal(std::size_t account, const EffectColumns& a, const EffectColumns& b) const;
-  EffectVector right(std::size_t account, const EffectColumns& effect) const;
-  /// Log of the account's prior odds times its evidence, against no account and unchanged noise.
-  double logOdds(std::size_t account) const;
-  /// CᵀC of two effects, without an account and at the stated noise.
+  EffectMatrix normal(std::size_t explanation, const EffectColumns& a, const EffectColumns& b) const;
+  EffectVector right(std::size_t explanation, const EffectColumns& effect) const;
+  /// Log of the explanation's prior odds times its evidence, against no explanation and unchanged noise.
+  double logOdds(std::size_t explanation) const;
+  /// CᵀC of two effects, without an explanation and at the stated noise.
   EffectMatrix plainNormal(const EffectColumns& a, const EffectColumns& b) const;
 
  private:
   const SessionEvidence* m_evidence;
   double m_noise = 1;
 
-  double variance(std::size_t account) const;
+  double variance(std::size_t explanation) const;
 };
 
 /// A block of the stored inner products (`productAt`).

@@ -82,15 +82,16 @@ struct SharedSearch::GivenSet {
   VectorXd right;
 };
 
-SharedSearch::Sums SharedSearch::sumsOf(const EffectBlock& block, const std::vector<std::size_t>& accounts,
+SharedSearch::Sums SharedSearch::sumsOf(const EffectBlock& block,
+                                        const std::vector<std::size_t>& explanations,
                                         const Counts& counts) const {
   const auto count = static_cast<Index>(block.columns().count), size = count * block.rank();
   Sums sums{MatrixXd::Zero(size, size), VectorXd::Zero(size)};
   for (std::size_t i = 0; i < block.sessions.size(); ++i) {
     const std::size_t s = block.sessions[i];
     if (counts && !counts(s)) continue;
-    const EffectMatrix normal = m_sessions[s].normal(accounts[s], block.columns(), block.columns());
-    const EffectVector right = m_sessions[s].right(accounts[s], block.columns());
+    const EffectMatrix normal = m_sessions[s].normal(explanations[s], block.columns(), block.columns());
+    const EffectVector right = m_sessions[s].right(explanations[s], block.columns());
     const Eigen::RowVectorXd features = block.featuresOf(i);
     addProducts(features, features, [&](Index j, Index l, double product) {
       sums.normal.block(j * count, l * count, count, count) += product * normal;
@@ -101,13 +102,13 @@ SharedSearch::Sums SharedSearch::sumsOf(const EffectBlock& block, const std::vec
 }
 
 MatrixXd SharedSearch::across(const EffectBlock& a, const EffectBlock& b,
-                              const std::vector<std::size_t>& accounts, const Counts& counts) const {
+                              const std::vector<std::size_t>& explanations, const Counts& counts) const {
   const auto ofA = static_cast<Index>(a.columns().count), ofB = static_cast<Index>(b.columns().count);
   MatrixXd sum = MatrixXd::Zero(ofA * a.rank(), ofB * b.rank());
   forCommon(a, b, [&](std::size_t i, std::size_t j) {
     const std::size_t s = a.sessions[i];
     if (counts && !counts(s)) return;
-    const EffectMatrix normal = m_sessions[s].normal(accounts[s], a.columns(), b.columns());
+    const EffectMatrix normal = m_sessions[s].normal(explanations[s], a.columns(), b.columns());
     addProducts(a.featuresOf(i), b.featuresOf(j), [&](Index k, Index l, double product) {
       sum.block(k * ofA, l * ofB, ofA, ofB) += product * normal;
     });
@@ -116,14 +117,15 @@ MatrixXd SharedSearch::across(const EffectBlock& a, const EffectBlock& b,
 }
 
 SharedSearch::GivenSet SharedSearch::given(const SharedSet& set, const MatrixXd& posterior,
-                                           const EffectBlock& block, const std::vector<std::size_t>& accounts,
+                                           const EffectBlock& block,
+                                           const std::vector<std::size_t>& explanations,
                                            const Counts& counts) const {
-  Sums sums = sumsOf(block, accounts, counts);
+  Sums sums = sumsOf(block, explanations, counts);
   GivenSet result{MatrixXd::Zero(sums.right.size(), posterior.cols()), std::move(sums.normal),
                   std::move(sums.right)};
   Index first = 0;
   for (const SharedPart& part : set.parts) {
-    const MatrixXd products = across(block, part.block, accounts, counts);
+    const MatrixXd products = across(block, part.block, explanations, counts);
     result.right -= products * part.weights;
     result.products.middleCols(first, part.slope.cols()) = products * part.slope;
     first += part.slope.cols();
@@ -135,7 +137,7 @@ SharedSearch::GivenSet SharedSearch::given(const SharedSet& set, const MatrixXd&
 /// Extends the set's posterior by the block's weights (block matrix inversion).
 void SharedSearch::take(SharedSet& set, const EffectBlock& block, const Counts& counts) const {
   const Response response = block.columns().effect->response;
-  const GivenSet own = given(set, set.covariance, block, set.accounts, counts);
+  const GivenSet own = given(set, set.covariance, block, set.explanations, counts);
   const RowMajor gram = own.gram;
   const ColumnGain gain = columnGain(response, spanOf(gram), spanOf(own.right), widths);
   SharedPart part{
@@ -177,9 +179,9 @@ void SharedSearch::take(SharedSet& set, const EffectBlock& block, const Counts& 
 }
 
 SharedSet SharedSearch::fitted(const std::vector<EffectBlock>& blocks,
-                               const std::vector<std::size_t>& accounts, const Counts& counts) const {
+                               const std::vector<std::size_t>& explanations, const Counts& counts) const {
   SharedSet set;
-  set.accounts = accounts;
+  set.explanations = explanations;
   set.covariance = MatrixXd(0, 0);
   for (const EffectBlock& block : blocks) {
     take(set, block, counts);
@@ -188,25 +190,25 @@ SharedSet SharedSearch::fitted(const std::vector<EffectBlock>& blocks,
   return set;
 }
 
-double SharedSearch::accountsOf(const SharedSet& set) const {
+double SharedSearch::oddsOfExplanations(const SharedSet& set) const {
   double sum = 0;
   for (std::size_t s = 0; s < m_sessions.size(); ++s) {
-    const std::vector<double> odds = accountOdds(s, set);
-    // The sizes were found with the chosen account; the alternatives to it are added.
-    const std::size_t chosen = set.accounts[s];
+    const std::vector<double> odds = explanationOdds(s, set);
+    // The sizes were found with the chosen explanation; the alternatives to it are added.
+    const std::size_t chosen = set.explanations[s];
     sum += ownOdds(s, chosen) + logSumOf(odds) - odds[chosen];
   }
   return sum;
 }
 
-/// Log of prior odds × evidence of an account, without any shared effect. The odds of an account with causes
-/// are divided by the number of sessions.
-double SharedSearch::ownOdds(std::size_t session, std::size_t account) const {
+/// Log of prior odds × evidence of an explanation, without any shared effect. The odds of an explanation with
+/// causes are divided by the number of sessions.
+double SharedSearch::ownOdds(std::size_t session, std::size_t explanation) const {
   const double each = -std::log(static_cast<double>(m_sessions.size()));
-  return m_sessions[session].logOdds(account) + (account > 0 ? each : 0);
+  return m_sessions[session].logOdds(explanation) + (explanation > 0 ? each : 0);
 }
 
-std::vector<double> SharedSearch::accountOdds(std::size_t session, const SharedSet& set) const {
+std::vector<double> SharedSearch::explanationOdds(std::size_t session, const SharedSet& set) const {
   const SessionSums& own = m_sessions[session];
   struct Share {
     const EffectColumns* columns;
@@ -220,7 +222,7 @@ std::vector<double> SharedSearch::accountOdds(std::size_t session, const SharedS
     shares.push_back(
         {&part.block.columns(), part.weightsIn(static_cast<std::size_t>(found - sessions.begin()))});
   }
-  std::vector<double> odds(own.accounts());
+  std::vector<double> odds(own.explanations());
   for (std::size_t k = 0; k < odds.size(); ++k) {
     odds[k] = ownOdds(session, k);
     for (const Share& a : shares) {
@@ -232,35 +234,35 @@ std::vector<double> SharedSearch::accountOdds(std::size_t session, const SharedS
   return odds;
 }
 
-std::vector<double> SharedSearch::accountChances(std::size_t session, const SharedSet& set) const {
-  return chancesByLog(accountOdds(session, set));
+std::vector<double> SharedSearch::explanationChances(std::size_t session, const SharedSet& set) const {
+  return chancesByLog(explanationOdds(session, set));
 }
 
-std::vector<std::size_t> SharedSearch::likeliestAccounts(const SharedSet& set, bool withPatterns) const {
-  std::vector<std::size_t> accounts(m_sessions.size(), 0);
-  for (std::size_t s = 0; s < accounts.size(); ++s) {
-    const std::vector<double> odds = accountOdds(s, set);
+std::vector<std::size_t> SharedSearch::likeliestExplanations(const SharedSet& set, bool withPatterns) const {
+  std::vector<std::size_t> explanations(m_sessions.size(), 0);
+  for (std::size_t s = 0; s < explanations.size(); ++s) {
+    const std::vector<double> odds = explanationOdds(s, set);
     double most = -std::numeric_limits<double>::infinity();
     for (std::size_t k = 0; k < odds.size(); ++k) {
-      if ((!withPatterns && m_sessions[s].account(k).holdsPattern) || odds[k] <= most) continue;
+      if ((!withPatterns && m_sessions[s].explanation(k).holdsPattern) || odds[k] <= most) continue;
       most = odds[k];
-      accounts[s] = k;
+      explanations[s] = k;
     }
   }
-  return accounts;
+  return explanations;
 }
 
 SharedSet SharedSearch::madeOf(const std::vector<EffectBlock>& blocks,
-                               const std::vector<std::size_t>& accounts) const {
+                               const std::vector<std::size_t>& explanations) const {
   constexpr int mostRounds = 4;
   constexpr double rounding = 1e-9;
   SharedSet best;
-  std::vector<std::size_t> own = accounts;
+  std::vector<std::size_t> own = explanations;
   for (int round = 0; round < mostRounds; ++round) {
     SharedSet set = fitted(blocks, own);
-    set.logPosteriorOdds += accountsOf(set);
-    std::vector<std::size_t> next = likeliestAccounts(set, true);
-    // Of equal sets the later one counts: it was fitted with the accounts that the earlier one prefers.
+    set.logPosteriorOdds += oddsOfExplanations(set);
+    std::vector<std::size_t> next = likeliestExplanations(set, true);
+    // Of equal sets the later one counts: it was fitted with the explanations that the earlier one prefers.
     if (round == 0 || set.logPosteriorOdds > best.logPosteriorOdds - rounding) best = std::move(set);
     if (next == own || m_stop.stop_requested()) break;
     own = std::move(next);
@@ -276,19 +278,19 @@ bool SharedSearch::mayTake(const SharedSet& set, const EffectBlock& block) const
 }
 
 /// Returns the effects, and separately the patterns, with the largest gain in addition to the set. They are
-/// sought with misread values and noise as the only own causes, and again with the set's accounts. The reason
-/// is that an effect visible in each session may also be an account of each session.
+/// sought with misread values and noise as the only own causes, and again with the set's explanations. The
+/// reason is that an effect visible in each session may also be an explanation of each session.
 std::vector<SharedSearch::Growth> SharedSearch::promising(const SharedSet& set) const {
   constexpr std::size_t most = 6, mostPatterns = 3;
   std::vector<Growth> all;
-  const auto offer = [&](const std::vector<std::size_t>& accounts) {
+  const auto offer = [&](const std::vector<std::size_t>& explanations) {
     std::vector<EffectBlock> blocks;
     for (const SharedPart& part : set.parts) blocks.push_back(part.block);
-    const SharedSet from = fitted(blocks, accounts);
+    const SharedSet from = fitted(blocks, explanations);
     std::vector<Growth> effects, patterns;
     for (std::size_t i = 0; i < m_blocks.size() && !m_stop.stop_requested(); ++i) {
       if (!mayTake(set, m_blocks[i])) continue;
-      const GivenSet own = given(from, from.covariance, m_blocks[i], accounts, {});
+      const GivenSet own = given(from, from.covariance, m_blocks[i], explanations, {});
       const RowMajor gram = own.gram;
       const ColumnGain gain =
           columnGain(m_blocks[i].columns().effect->response, spanOf(gram), spanOf(own.right), widths);
@@ -305,9 +307,9 @@ std::vector<SharedSearch::Growth> SharedSearch::promising(const SharedSet& set) 
     keep(effects, most);
     keep(patterns, mostPatterns);
   };
-  const std::vector<std::size_t> plain = likeliestAccounts(set, false);
+  const std::vector<std::size_t> plain = likeliestExplanations(set, false);
   offer(plain);
-  if (plain != set.accounts) offer(set.accounts);
+  if (plain != set.explanations) offer(set.explanations);
   return all;
 }
 
@@ -328,15 +330,15 @@ std::vector<SharedSet> SharedSearch::grown() const {
     std::vector<SharedSet> next;
     for (const SharedSet& set : level) {
       if (set.parts.size() == mostParts) continue;
-      const std::vector<std::size_t> plain = likeliestAccounts(set, false);
+      const std::vector<std::size_t> plain = likeliestExplanations(set, false);
       for (const Growth& growth : promising(set)) {
         std::vector<EffectBlock> blocks;
         for (const SharedPart& part : set.parts) blocks.push_back(part.block);
         blocks.push_back(m_blocks[growth.block]);
         if (isFound(blocks)) continue;
         SharedSet made = madeOf(blocks, plain);
-        if (plain != set.accounts) {
-          SharedSet other = madeOf(blocks, set.accounts);
+        if (plain != set.explanations) {
+          SharedSet other = madeOf(blocks, set.explanations);
           if (other.logPosteriorOdds > made.logPosteriorOdds) made = std::move(other);
         }
         if (!std::isfinite(made.logPosteriorOdds)) continue;

@@ -14,8 +14,8 @@ namespace alidade {
 
 // Searches the shared effects that explain the leftovers of a series' sessions. In the linear model with
 // normal weights the evidence of a set of effects has a closed form in sums over the sessions. The own causes
-// of each session (`OwnAccount`) are chosen again for every set, so that one session's cause is not mistaken
-// for a shared one.
+// of each session (`SessionExplanation`) are chosen again for every set, so that one session's cause is not
+// mistaken for a shared one.
 //
 // Source: as `explanation.h`; the sums are those of normal equations of independent observations.
 
@@ -34,10 +34,10 @@ struct SharedPart {
 
 struct SharedSet {
   std::vector<SharedPart> parts = {};
-  std::vector<std::size_t> accounts = {};  ///< of each session
-  double logPosteriorOdds = 0;             ///< natural log of the odds against no effect in any session
-  double chance = 0;                       ///< 0…1, among the sets found
-  Eigen::MatrixXd covariance = {};         ///< of z of all parts, concatenated
+  std::vector<std::size_t> explanations = {};  ///< of each session
+  double logPosteriorOdds = 0;                 ///< natural log of the odds against no effect in any session
+  double chance = 0;                           ///< 0…1, among the sets found
+  Eigen::MatrixXd covariance = {};             ///< of z of all parts, concatenated
 
   /// Does the set contain an uncatalogued pattern?
   bool isShaped() const {
@@ -54,15 +54,17 @@ class SharedSearch {
 
   /// The sets found, the likeliest first, without duplicates; includes the empty set.
   std::vector<SharedSet> grown() const;
-  /// The set of exactly these blocks, added in this order; the search for accounts starts from `accounts`.
-  SharedSet madeOf(const std::vector<EffectBlock>& blocks, const std::vector<std::size_t>& accounts) const;
-  /// Sizes under exactly these accounts. `counts`: which sessions count; empty: all.
-  SharedSet fitted(const std::vector<EffectBlock>& blocks, const std::vector<std::size_t>& accounts,
+  /// The set of exactly these blocks, added in this order; the search for explanations starts from
+  /// `explanations`.
+  SharedSet madeOf(const std::vector<EffectBlock>& blocks,
+                   const std::vector<std::size_t>& explanations) const;
+  /// Sizes under exactly these explanations. `counts`: which sessions count; empty: all.
+  SharedSet fitted(const std::vector<EffectBlock>& blocks, const std::vector<std::size_t>& explanations,
                    const std::function<bool(std::size_t)>& counts = {}) const;
-  /// Log odds of each account of a session, given a set.
-  std::vector<double> accountOdds(std::size_t session, const SharedSet& set) const;
-  std::vector<double> accountChances(std::size_t session, const SharedSet& set) const;
-  /// The gain of a block alone, without accounts.
+  /// Log odds of each explanation of a session, given a set.
+  std::vector<double> explanationOdds(std::size_t session, const SharedSet& set) const;
+  std::vector<double> explanationChances(std::size_t session, const SharedSet& set) const;
+  /// The gain of a block alone, without explanations.
   ColumnGain alone(const EffectBlock& block) const;
   /// Visible length of a part's weights, σ, in all its sessions, or in the index-th.
   double visibleLength(const SharedPart& part) const;
@@ -84,17 +86,18 @@ class SharedSearch {
     Eigen::MatrixXd normal;
     Eigen::VectorXd right;
   };
-  Sums sumsOf(const EffectBlock& block, const std::vector<std::size_t>& accounts, const Counts& counts) const;
-  Eigen::MatrixXd across(const EffectBlock& a, const EffectBlock& b, const std::vector<std::size_t>& accounts,
-                         const Counts& counts) const;
+  Sums sumsOf(const EffectBlock& block, const std::vector<std::size_t>& explanations,
+              const Counts& counts) const;
+  Eigen::MatrixXd across(const EffectBlock& a, const EffectBlock& b,
+                         const std::vector<std::size_t>& explanations, const Counts& counts) const;
   struct GivenSet;
   GivenSet given(const SharedSet& set, const Eigen::MatrixXd& posterior, const EffectBlock& block,
-                 const std::vector<std::size_t>& accounts, const Counts& counts) const;
+                 const std::vector<std::size_t>& explanations, const Counts& counts) const;
   void take(SharedSet& set, const EffectBlock& block, const Counts& counts) const;
-  std::vector<std::size_t> likeliestAccounts(const SharedSet& set, bool withPatterns) const;
+  std::vector<std::size_t> likeliestExplanations(const SharedSet& set, bool withPatterns) const;
   std::vector<Growth> promising(const SharedSet& set) const;
-  double accountsOf(const SharedSet& set) const;
-  double ownOdds(std::size_t session, std::size_t account) const;
+  double oddsOfExplanations(const SharedSet& set) const;
+  double ownOdds(std::size_t session, std::size_t explanation) const;
   bool mayTake(const SharedSet& set, const EffectBlock& block) const;
 };
 

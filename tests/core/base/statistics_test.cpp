@@ -62,11 +62,11 @@ TEST(Statistics, GivesTheUpperTailOfF) {
 }
 
 TEST(Statistics, TakesRoundingBelowZeroForZeroAndWhatIsNoSquareForUnknown) {
-  EXPECT_EQ(Misfit(-1e-9).squared(), 0);
-  EXPECT_EQ(Misfit(7).squared(), 7);
-  EXPECT_TRUE(Misfit(infinite).isKnown());
-  EXPECT_FALSE(Misfit(-0.01).isKnown());
-  EXPECT_FALSE(Misfit(std::nan("")).isKnown());
+  EXPECT_EQ(WeightedSquareSum(-1e-9).value(), 0);
+  EXPECT_EQ(WeightedSquareSum(7).value(), 7);
+  EXPECT_TRUE(WeightedSquareSum(infinite).isKnown());
+  EXPECT_FALSE(WeightedSquareSum(-0.01).isKnown());
+  EXPECT_FALSE(WeightedSquareSum(std::nan("")).isKnown());
   EXPECT_EQ(standardDeviation(-1e-9), 0);
   EXPECT_EQ(standardDeviation(9), 3);
   EXPECT_TRUE(std::isnan(standardDeviation(std::nan(""))));

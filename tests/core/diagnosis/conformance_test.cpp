@@ -22,9 +22,9 @@ TEST(Conformance, OfTheIntersectionIsTheShareWithinTheTolerance) {
 // The shares of the accounts have an arbitrary sum; the quotient must not exceed 1 by rounding.
 TEST(Conformance, IsAtMostCertain) {
   IntersectionEstimate estimate = normal(0, 1e-6);
-  estimate.accounts.clear();
+  estimate.explanations.clear();
   for (int i = 1; i < 200; ++i) {
-    estimate.accounts.push_back({1.0 / (3 * i), 0, 1e-6});
+    estimate.explanations.push_back({1.0 / (3 * i), 0, 1e-6});
     EXPECT_LE(*conformanceOf(estimate, 1e3), 1) << i;
   }
 }
@@ -58,7 +58,7 @@ TEST(GreatestRisk, IsThatAtTheEdgesOfTheGuardBand) {
   EXPECT_NEAR(*greatestRisk(estimate, 0.2), 0.025, rounding) << "nothing is accepted, too much rejected";
   estimate.expanded = 0;
   EXPECT_NEAR(*greatestRisk(estimate, 2.5), 0.5, rounding) << "no guard";
-  estimate = {.value = 0, .sigma = 1, .expanded = 1, .accounts = {{1, 0, 1}}, .degreesOfFreedom = 1};
+  estimate = {.value = 0, .sigma = 1, .expanded = 1, .explanations = {{1, 0, 1}}, .degreesOfFreedom = 1};
   EXPECT_NEAR(*greatestRisk(estimate, 1e6), 0.25, rounding);
   estimate.degreesOfFreedom = 0;
   EXPECT_FALSE(greatestRisk(estimate, 2.5));
@@ -70,7 +70,7 @@ TEST(GreatestRisk, IsThatOfTheHeavierSide) {
   const IntersectionEstimate estimate{.value = 0,
                                       .sigma = 0.5,
                                       .expanded = 1,
-                                      .accounts = {{19, 0, 0.01}, {1, 2, 0.01}},
+                                      .explanations = {{19, 0, 0.01}, {1, 2, 0.01}},
                                       .degreesOfFreedom = std::numeric_limits<double>::infinity()};
   EXPECT_NEAR(*greatestRisk(estimate, 10), 0.05, 1e-9);
 }

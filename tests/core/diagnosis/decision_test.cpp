@@ -126,11 +126,11 @@ TEST_F(Decision, StatesTheProbabilityOfConformance) {
   EXPECT_NEAR(*at(2, &diagnosis).conformance, 0.975, rounding);
   EXPECT_NEAR(*at(1.7, &diagnosis).conformance, 0.5, rounding);
   EXPECT_NEAR(*at(1.4, &diagnosis).conformance, 0.025, rounding);
-  diagnosis.measured->estimate.accounts = {{3, 0, 0.01}, {1, 5, 0.01}};
+  diagnosis.measured->estimate.explanations = {{3, 0, 0.01}, {1, 5, 0.01}};
   EXPECT_NEAR(*at(1, &diagnosis).conformance, 0.75, rounding);
   diagnosis.measured->estimate.degreesOfFreedom = 1;  // Cauchy's distribution: half of the probability within
                                                       // ± 1
-  diagnosis.measured->estimate.accounts = {{1, 2, 0.5}};
+  diagnosis.measured->estimate.explanations = {{1, 2, 0.5}};
   EXPECT_NEAR(*at(2.5, &diagnosis).conformance, 0.75 - std::atan(0.5 / 4.5) / std::numbers::pi, rounding);
   const Intersection modelled = *fitSession(measurement).intersection;
   EXPECT_NEAR(*at(modelled.value + modelled.expanded, nullptr).conformance, 0.975, rounding);
@@ -186,7 +186,7 @@ TEST_F(Decision, IsTheGuardBandOfASingleAccount) {
     diagnosis.measured->budget = {{.effect = "plane_warp", .sigma = sigma}};
     const Verdict expected = decide(value, expanded, tolerance);
     EXPECT_EQ(at(tolerance, &diagnosis).asFound, expected) << i;
-    diagnosis.measured->estimate.accounts = {{0.3, value, sigma}, {0.7, value, sigma}};
+    diagnosis.measured->estimate.explanations = {{0.3, value, sigma}, {0.7, value, sigma}};
     EXPECT_EQ(at(tolerance, &diagnosis).asFound, expected) << i;
   }
 }
@@ -194,9 +194,9 @@ TEST_F(Decision, IsTheGuardBandOfASingleAccount) {
 // 4 % of the probability are far beyond the tolerance on one side, while ± U at 95 % stays within it.
 TEST_F(Decision, HeedsTheRiskOnEitherSide) {
   Diagnosis diagnosis = found("collimation", 0.9, 0.3);
-  diagnosis.measured->estimate.accounts = {{96, 0.9, 0.1}, {4, 9, 0.1}};
+  diagnosis.measured->estimate.explanations = {{96, 0.9, 0.1}, {4, 9, 0.1}};
   EXPECT_EQ(at(1.6, &diagnosis).asFound, Verdict::Undecided);
-  diagnosis.measured->estimate.accounts = {{98, 0.9, 0.1}, {2, 9, 0.1}};
+  diagnosis.measured->estimate.explanations = {{98, 0.9, 0.1}, {2, 9, 0.1}};
   EXPECT_EQ(at(1.6, &diagnosis).asFound, Verdict::Accept);
 }
 

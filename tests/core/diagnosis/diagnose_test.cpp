@@ -100,8 +100,9 @@ TEST(Diagnosis, NamesTheVeryReadingsThatAreMisread) {
     ASSERT_EQ(diagnosis.causes.size(), 1u) << trial.id;
     EXPECT_EQ(diagnosis.causes[0].effect, "gross_error");
     std::set<std::tuple<int, int, int, int, bool>> truth, named;
-    for (const auto& blunder : trial.truth.at("blunders"))
-      truth.emplace(blunder[0] == 0 ? 0 : 180, blunder[1], blunder[2], blunder[3], blunder[4] != 0);
+    for (const auto& grossError : trial.truth.at("blunders"))
+      truth.emplace(grossError[0] == 0 ? 0 : 180, grossError[1], grossError[2], grossError[3],
+                    grossError[4] != 0);
     for (const ReadingDeviation& reading : diagnosis.causes[0].readings)
       named.emplace(reading.axisDeg, reading.round, reading.point, reading.face,
                     reading.kind == ReadingKind::Horizontal);

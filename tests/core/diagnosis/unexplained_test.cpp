@@ -75,7 +75,7 @@ TEST(UndetectableJumps, AreThoseBetweenZeroAndFirstSighting) {
     EXPECT_TRUE(jump.isAfterZero);
     EXPECT_NEAR(jump.influence, 2405 * 60 / 206265.0 / 2, 0.02);
     ASSERT_EQ(jump.moves.size(), 2U);
-    EXPECT_NEAR(jump.moves[0].share + jump.moves[1].share, PriorOdds{}.zeroSlip / 4, 1e-12)
+    EXPECT_NEAR(jump.moves[0].share + jump.moves[1].share, PriorOdds{}.wrongZero / 4, 1e-12)
         << "the other moments would show";
     EXPECT_NEAR(jump.moves[0].sigma, 0.3 * jump.influence, 1e-12);
     EXPECT_NEAR(jump.moves[1].sigma, jump.influence, 1e-12);

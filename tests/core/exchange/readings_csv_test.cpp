@@ -55,7 +55,7 @@ void expectSameMeasurement(const Session& read, const Session& written) {
   for (std::size_t arc = 0; arc < was.measurement->arcs.size(); ++arc) {
     const ArcMeasurement &a = is.measurement->arcs[arc], &b = was.measurement->arcs[arc];
     EXPECT_EQ(a.axisDeg, b.axisDeg);
-    EXPECT_EQ(a.time, b.time);
+    EXPECT_EQ(a.repeat, b.repeat);
     ASSERT_EQ(a.sightings.size(), b.sightings.size());
     for (std::size_t i = 0; i < b.sightings.size(); ++i) {
       const Sighting &one = a.sightings[i], &other = b.sightings[i];

@@ -68,7 +68,7 @@ TEST(SightingChoice, MayTurnTheAxisBack) {
   const Chosen chosen(cut(whole, 1, rows), byWorth(bothFaces()));
   ASSERT_TRUE(chosen.choice);
   EXPECT_EQ(chosen.next().axisDeg, 0);
-  EXPECT_EQ(chosen.next().time, 2);
+  EXPECT_EQ(chosen.next().repeat, 2);
   EXPECT_EQ(listedOrder(byWorth(bothFaces())).positions.size(), 2u);
 }
 

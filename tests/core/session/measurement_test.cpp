@@ -274,13 +274,13 @@ TEST(Measurement, TakesAnAxisThatComesAgainInTheOrderOfTheFile) {
     EXPECT_TRUE(examined.problems.empty());
     const Measurement& measurement = *examined.measurement;
     ASSERT_EQ(measurement.arcs.size(), axes.size());
-    std::map<int, int> times;
+    std::map<int, int> repeats;
     std::size_t rows = 0;
     for (std::size_t i = 0; i < axes.size(); ++i) {
       const ArcMeasurement& arc = measurement.arcs[i];
       EXPECT_EQ(arc.position, i);
       EXPECT_EQ(std::to_string(arc.axisDeg), axes[i]);
-      EXPECT_EQ(arc.time, ++times[arc.axisDeg]);
+      EXPECT_EQ(arc.repeat, ++repeats[arc.axisDeg]);
       EXPECT_EQ(arc.sightings.front().sequence, rows);
       rows += one.readings.size();
     }
@@ -299,7 +299,7 @@ TEST(Measurement, CountsPositionsAtAnAxisWithThoseThatCannotBeUsed) {
   session.positions[0].zero.vertical = "";
   const Measurement measurement = *examine(session).measurement;
   ASSERT_EQ(measurement.arcs.size(), 2u);
-  EXPECT_EQ(measurement.arcs[1].time, 2);
+  EXPECT_EQ(measurement.arcs[1].repeat, 2);
   EXPECT_EQ(firstAtTheirAxes(measurement), (std::vector<std::size_t>{0, 1}));
   EXPECT_FALSE(hasRepeats(measurement));
 }

@@ -166,7 +166,7 @@ TEST(SightingsInOrder, CountAPositionMeasuredAgainAndOneWithPlacesOfItsOwn) {
   SightingProtocol protocol = threePlaces({{}});
   protocol.positions.push_back({.axisDeg = 0, .places = {{.point = 9}}});
   EXPECT_EQ(orderOf(protocol), "0: z1 1.1.1 2.1.1 3.1.1 | 180: z1 1.1.1 2.1.1 3.1.1 | 0: z1 9.1.1 ");
-  EXPECT_EQ(sightingsInOrder(protocol).back().time, 2);
+  EXPECT_EQ(sightingsInOrder(protocol).back().repeat, 2);
 }
 
 TEST(SightingsInOrder, AreThoseOfTwentyFourPlaces) {

@@ -316,21 +316,21 @@ TEST(Simulate, MeasuresAPositionAgain) {
   const Measurement sound = test::measurementOf(*simulate(again, truth, 4));
   ASSERT_EQ(sound.arcs.size(), 3u);
   EXPECT_EQ(sound.arcs[2].axisDeg, 0);
-  EXPECT_EQ(sound.arcs[2].time, 2);
+  EXPECT_EQ(sound.arcs[2].repeat, 2);
   EXPECT_EQ(sound.rows, 3 * plannedRows(again).size());
   EXPECT_NE(sound.arcs[0].zeroHorizontal.radians(), sound.arcs[2].zeroHorizontal.radians());
-  truth.zeroSlip = {.axisDeg = 0, .horizontal = Angle::fromArcseconds(30), .vertical = {}, .time = 2};
+  truth.wrongZero = {.axisDeg = 0, .horizontal = Angle::fromArcseconds(30), .vertical = {}, .repeat = 2};
   const std::vector<double> slipped = meanShifts(sound, test::measurementOf(*simulate(again, truth, 4)));
   EXPECT_NEAR(slipped[0], 0, 0.1);  // rounded to 0.1″
   EXPECT_NEAR(slipped[1], 0, 0.1);
   EXPECT_NEAR(slipped[2], 30, 0.1);
-  truth.zeroSlip.reset();
+  truth.wrongZero.reset();
   truth.grossErrors = {
-      {.axisDeg = 0, .point = 3, .horizontal = Angle::fromArcseconds(17 * 60), .vertical = {}, .time = 2}};
+      {.axisDeg = 0, .point = 3, .horizontal = Angle::fromArcseconds(17 * 60), .vertical = {}, .repeat = 2}};
   const std::vector<double> misread = meanShifts(sound, test::measurementOf(*simulate(again, truth, 4)));
   EXPECT_NEAR(misread[0], 0, 0.1);
   EXPECT_NEAR(misread[2], 60, 0.1);
-  truth.grossErrors.front().time = 3;
+  truth.grossErrors.front().repeat = 3;
   const auto refused = simulate(again, truth, 4);
   ASSERT_FALSE(refused);
   EXPECT_NE(refused.problem().what.find("time 3"), std::string::npos);

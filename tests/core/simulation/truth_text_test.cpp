@@ -77,8 +77,8 @@ TEST(TruthText, TakesWhatIsNoErrorTerm) {
 TEST(TruthText, TellsWhichPositionAtAnAxisIsMeant) {
   const Truth truth =
       with({"zero_slip=0,30,-40,2", "gross_error=180,1,11,1,60,0,2", "gross_error=0,1,3,1,0,60"});
-  ASSERT_TRUE(truth.zeroSlip);
-  EXPECT_EQ(truth.zeroSlip->time, 2);
+  ASSERT_TRUE(truth.wrongZero);
+  EXPECT_EQ(truth.wrongZero->repeat, 2);
   const nlohmann::json json = documentOf(truth);
   EXPECT_EQ(json.at("effects").at("zero_slip")[0], 2);
   EXPECT_EQ(json.at("blunders")[0][0], 3);
@@ -86,8 +86,8 @@ TEST(TruthText, TellsWhichPositionAtAnAxisIsMeant) {
   EXPECT_THAT(refusal("zero_slip=0,30,-40,0"), HasSubstr("how many-th time"));
   EXPECT_THAT(refusal("gross_error=0,1,3,1,0,60,1.5"), HasSubstr("how many-th time"));
   for (const int number : {0, 1, 2, 3, 4}) {
-    const auto [axisDeg, time] = NumberedPosition::of(number);
-    EXPECT_EQ((NumberedPosition{axisDeg, time}.number()), number);
+    const auto [axisDeg, repeat] = NumberedPosition::of(number);
+    EXPECT_EQ((NumberedPosition{axisDeg, repeat}.number()), number);
   }
 }
 

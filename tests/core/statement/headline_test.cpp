@@ -226,7 +226,7 @@ TEST(Headline, SpeaksOfNoVerdictWithAnEntryThatCannotBeUsed) {
   EXPECT_EQ(headline.verdict, "No verdict: 1 entry could not be used");
   EXPECT_TRUE(headline.isMeasured);
   EXPECT_THAT(headline.line(LineKind::Gap), StartsWith("Model and readings disagree, best explained by "));
-  EXPECT_TRUE(headline.line(LineKind::Knock).empty() && headline.line(LineKind::Row).empty());
+  EXPECT_TRUE(headline.line(LineKind::Jump).empty() && headline.line(LineKind::Row).empty());
 }
 
 // The published table closes neither in R nor in Δx; the offset across the plane follows from the radii.

@@ -63,7 +63,7 @@ TEST(SetupFindingsInWords, SayHowFarAZeroMoved) {
 }
 
 TEST(SetupFindingsInWords, NameThePositionWhoseFaceTwoIsLeftOut) {
-  EXPECT_THAT(wordsOf(ZeroFaceLeftOut{.axisDeg = 0, .time = 2}).text,
+  EXPECT_THAT(wordsOf(ZeroFaceLeftOut{.axisDeg = 0, .repeat = 2}).text,
               StartsWith("0° again: the sightings of the pointing zero in face 2 are left out"));
 }
 

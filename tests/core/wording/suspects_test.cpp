@@ -41,7 +41,7 @@ TEST(SuspectInWords, NamesRoundAndFaceWhereTheyAreNotOne) {
 
 TEST(SuspectInWords, SaysWhatWasProbablyMeant) {
   Suspect suspect = suspectAt("vertical", Angle::fromArcseconds(29));
-  suspect.proposals = {{.slip = EntrySlip::DigitsSwapped,
+  suspect.proposals = {{.error = EntryError::DigitsSwapped,
                         .changes = {{cell(4, "vertical"), "88°16'49\"", "88°61'49\""}},
                         .residual = Angle::fromArcseconds(1.2)}};
   EXPECT_THAT(
@@ -51,7 +51,7 @@ TEST(SuspectInWords, SaysWhatWasProbablyMeant) {
 }
 
 TEST(SuspectInWords, NamesEveryCellOfAProposal) {
-  const Proposal proposal{.slip = EntrySlip::NeighbouringRow,
+  const Proposal proposal{.error = EntryError::NeighbouringRow,
                           .changes = {{cell(4, "horizontal"), "2°", "1°"}, {cell(5, "horizontal"), "1°", ""}},
                           .residual = Angle()};
   EXPECT_EQ(sentenceOf(proposal),

@@ -18,7 +18,7 @@ DrawnSighting drawnSighting(const Measurement& measurement, const ArcMeasurement
                             const Sighting& sighting) {
   return {.ref = {arc.position, sighting.row},
           .axisDeg = arc.axisDeg,
-          .time = arc.time,
+          .repeat = arc.repeat,
           .point = sighting.point,
           .round = sighting.round,
           .face = sighting.face,

@@ -16,7 +16,7 @@ namespace alidade::ui {
 struct DrawnSighting {
   SightingRef ref;
   int axisDeg = 0;
-  int time = 1;  ///< number of the repeat at this axis
+  int repeat = 1;  ///< number of the repeat at this axis
   int point = 0, round = 1, face = 1;
   PlanePoint<double> sighted;                  ///< intersection of the line of sight with the arc plane
   std::optional<PlanePoint<double>> adjusted;  ///< the adjusted target on the arc; absent without a fit

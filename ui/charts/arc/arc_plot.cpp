@@ -24,7 +24,7 @@ std::size_t arcIndex(int axisDeg) {
 std::size_t kindOf(const DrawnSighting& sighting) {
   const bool isUpper = sighting.axisDeg == 0;
   const std::size_t ofFaceOne =
-      sighting.time > 1 ? (isUpper ? UpperAgain : LowerAgain) : (isUpper ? Upper : Lower);
+      sighting.repeat > 1 ? (isUpper ? UpperAgain : LowerAgain) : (isUpper ? Upper : Lower);
   return ofFaceOne + (sighting.face == 2 ? kindsOfAFace : 0);
 }
 
@@ -137,14 +137,14 @@ void ArcPlot::drawMarks() {
 void ArcPlot::showLegend() {
   std::vector<LegendEntry> entries;
   for (const int axisDeg : {0, 180}) {
-    for (const int time : {1, 2}) {
-      const bool any = std::any_of(m_picture->sightings.begin(), m_picture->sightings.end(),
-                                   [&](const DrawnSighting& sighting) {
-                                     return sighting.axisDeg == axisDeg && (sighting.time > 1) == (time > 1);
-                                   });
+    for (const int repeat : {1, 2}) {
+      const bool any = std::any_of(
+          m_picture->sightings.begin(), m_picture->sightings.end(), [&](const DrawnSighting& sighting) {
+            return sighting.axisDeg == axisDeg && (sighting.repeat > 1) == (repeat > 1);
+          });
       if (!any) continue;
-      entries.push_back({style().marker(axisDeg, MarkerShape::Circle, time),
-                         tr("arc at %1").arg(positionText(axisDeg, time))});
+      entries.push_back({style().marker(axisDeg, MarkerShape::Circle, repeat),
+                         tr("arc at %1").arg(positionText(axisDeg, repeat))});
     }
   }
   if (!m_picture->excluded.empty()) entries.push_back({style().excludedMarker(), tr("excluded")});
@@ -276,7 +276,7 @@ QString ArcPlot::describe(const Mark& mark) const {
   const DrawnSighting* sighting = sightingOf(mark);
   if (!sighting) return {};
   QString text =
-      sightingText(sighting->axisDeg, sighting->time, sighting->point, sighting->round, sighting->face) +
+      sightingText(sighting->axisDeg, sighting->repeat, sighting->point, sighting->round, sighting->face) +
       QStringLiteral("\nx = %1, y = %2")
           .arg(lengthText(sighting->sighted.x, 3), lengthText(sighting->sighted.y, 3));
   if (sighting->adjusted) {
@@ -310,7 +310,7 @@ std::string ArcPlot::csv() const {
   for (const Mark& mark : markers().marks()) {
     const DrawnSighting& sighting = *sightingOf(mark);
     const bool isAdjusted = sighting.adjusted.has_value();
-    csv.count(sighting.axisDeg).count(sighting.time).count(sighting.point).count(sighting.round);
+    csv.count(sighting.axisDeg).count(sighting.repeat).count(sighting.point).count(sighting.round);
     csv.count(sighting.face).word(mark.kind == Excluded ? "yes" : "");
     csv.number(sighting.sighted.x).number(sighting.sighted.y);
     csv.number(isAdjusted ? sighting.adjusted->x : none).number(isAdjusted ? sighting.adjusted->y : none);

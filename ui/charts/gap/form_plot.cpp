@@ -21,7 +21,7 @@ QString sightingName(const Gap& gap, const FormPoint& point) {
   for (const ArcMeasurement& arc : gap.evaluation->examined.measurement->arcs)
     for (const Sighting& row : arc.sightings)
       if (arc.position == point.position && row.row == point.row)
-        return sightingText(arc.axisDeg, arc.time, row.point, row.round, row.face);
+        return sightingText(arc.axisDeg, arc.repeat, row.point, row.round, row.face);
   return {};
 }
 

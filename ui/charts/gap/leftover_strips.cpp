@@ -216,7 +216,7 @@ QString LeftoverStrips::aboutAt(const QPoint& point) const {
       }
   if (!nearest) return {};
   const DrawnResidual& residual = nearest->residual;
-  return sightingText(residual.axisDeg, residual.time, residual.point, residual.round, residual.face) +
+  return sightingText(residual.axisDeg, residual.repeat, residual.point, residual.round, residual.face) +
          u'\n' + tr("%1 circle: %2 σ").arg(circleName(residual.circle), signedNumberText(nearest->sigmas, 1));
 }
 

@@ -41,13 +41,13 @@ PlotStyle styleFor(const QColor& background, const QColor& text, const QFont& fo
 
 }  // namespace
 
-Marker PlotStyle::marker(int axisDeg, MarkerShape shape, int time) const {
+Marker PlotStyle::marker(int axisDeg, MarkerShape shape, int repeat) const {
   return {.shape = shape,
           .colour = ofAxis(axisDeg),
           .inside = background,
           .filled = axisDeg == 0,
-          .size = (time > 1 ? 5.5 : 7) * unit(),
-          .ringed = time > 1};
+          .size = (repeat > 1 ? 5.5 : 7) * unit(),
+          .ringed = repeat > 1};
 }
 
 Marker PlotStyle::excludedMarker() const {

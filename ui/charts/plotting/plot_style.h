@@ -27,8 +27,8 @@ struct PlotStyle {
 
   /// The colour of a position of the axis.
   QColor ofAxis(int axisDeg) const { return axisDeg == 0 ? upper : lower; }
-  /// Filled at 0°, hollow at 180°, ringed for a repeat (`time` > 1).
-  Marker marker(int axisDeg, MarkerShape shape, int time = 1) const;
+  /// Filled at 0°, hollow at 180°, ringed for a repeat (`repeat` > 1).
+  Marker marker(int axisDeg, MarkerShape shape, int repeat = 1) const;
   Marker excludedMarker() const;
 };
 

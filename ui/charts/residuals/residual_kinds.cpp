@@ -23,7 +23,7 @@ QString ResidualKind::text() const {
 }
 
 std::size_t ResidualKinds::take(const DrawnResidual& residual) {
-  const ResidualKind kind{residual.axisDeg, residual.time > 1, residual.circle, residual.face == 2};
+  const ResidualKind kind{residual.axisDeg, residual.repeat > 1, residual.circle, residual.face == 2};
   const std::size_t at = (((kind.axisDeg == 0 ? 0U : 1U) * 2 + (kind.isAgain ? 1U : 0U)) * 3 +
                           static_cast<std::size_t>(kind.circle)) *
                              2 +

@@ -27,7 +27,7 @@ const Sighting* sightingOf(const ArcMeasurement& arc, std::size_t index, std::si
 DrawnResidual drawnResidual(const ArcMeasurement& arc, const Sighting& sighting, double arcAngle) {
   return {.ref = {arc.position, sighting.row},
           .axisDeg = arc.axisDeg,
-          .time = arc.time,
+          .repeat = arc.repeat,
           .circle = CircleRead::Horizontal,
           .point = sighting.point,
           .round = sighting.round,

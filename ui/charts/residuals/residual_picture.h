@@ -14,7 +14,7 @@ namespace alidade::ui {
 struct DrawnResidual {
   SightingRef ref;
   int axisDeg = 0;
-  int time = 1;  ///< number of the repeat at this axis
+  int repeat = 1;  ///< number of the repeat at this axis
   CircleRead circle = CircleRead::Horizontal;
   int point = 0, round = 1, face = 1;
   std::size_t order = 1;              ///< number of its row in the session, in the order read, from 1

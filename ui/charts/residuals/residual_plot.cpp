@@ -360,7 +360,8 @@ void ResidualPlot::showArea(const QRectF& range) {
 QString ResidualPlot::describe(const Mark& mark) const {
   if (mark.index >= m_picture->residuals.size()) return {};
   const DrawnResidual& residual = m_picture->residuals[mark.index];
-  QString text = sightingText(residual.axisDeg, residual.time, residual.point, residual.round, residual.face);
+  QString text =
+      sightingText(residual.axisDeg, residual.repeat, residual.point, residual.round, residual.face);
   const QString value = signedNumberText(residual.arcsec, 1);
   text += u'\n';
   text += residual.circle == CircleRead::Slider
@@ -450,7 +451,7 @@ std::string ResidualPlot::csv() const {
               isNormal ? "normal_quantile" : "sigma_arcsec"};
   for (const ResidualPoint& point : m_points) {
     const DrawnResidual& residual = m_picture->residuals[point.index];
-    csv.count(residual.axisDeg).count(residual.time).count(residual.point).count(residual.round);
+    csv.count(residual.axisDeg).count(residual.repeat).count(residual.point).count(residual.round);
     csv.count(residual.face).word(nameOf(residual.circle)).count(static_cast<long long>(residual.order));
     csv.number(residual.slider).number(residual.elevation).number(residual.azimuth);
     csv.number(residual.arcsec).number(residual.standardised);

@@ -33,7 +33,7 @@ DataTable* TwoFacesPanel::createTable() {
   };
   return new DataTable({
       {tr("Axis"), tr("Position of the axis"), QStringLiteral("180° again"),
-       [this](int i) { return positionText(row(i).axisDeg, row(i).time); }},
+       [this](int i) { return positionText(row(i).axisDeg, row(i).repeat); }},
       {tr("Point"), tr("Number of the slider's place"), QStringLiteral("999"), whole(&Row::point)},
       {tr("Round"), tr("Round of readings"), {}, whole(&Row::round)},
       {tr("Elevation °"), tr("Elevation above the pointing zero, mean of both faces"),
@@ -57,7 +57,7 @@ void TwoFacesPanel::setEvaluation(const Evaluation& evaluation) {
       const ArcMeasurement& arc = evaluation.examined.measurement->arcs[difference.arc];
       const Sighting& sighting = arc.sightings[difference.faceOne];
       m_rows.push_back(
-          {arc.position, sighting.row, arc.axisDeg, arc.time, sighting.round, sighting.point, difference});
+          {arc.position, sighting.row, arc.axisDeg, arc.repeat, sighting.round, sighting.point, difference});
     }
   }
   m_table->setRows(static_cast<int>(m_rows.size()));

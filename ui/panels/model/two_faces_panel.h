@@ -26,7 +26,7 @@ class TwoFacesPanel : public QWidget {
  private:
   struct Row {
     std::size_t position = 0, reading = 0;
-    int axisDeg = 0, time = 1, round = 1, point = 0;
+    int axisDeg = 0, repeat = 1, round = 1, point = 0;
     FaceDifference difference;
   };
 

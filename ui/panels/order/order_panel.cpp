@@ -176,7 +176,7 @@ DataTable* OrderPanel::createTable() {
       {tr("Axis"), tr("Position of the axis"), QStringLiteral("180° again"),
        [this](int row) {
          const PlannedSighting& planned = sighting(row).planned;
-         return qText(positionName(planned.axisDeg, planned.time));
+         return qText(positionName(planned.axisDeg, planned.repeat));
        },
        left},
       {tr("Sighting"), tr("Place with round and face, or pointing zero"), tr("pointing zero, face 2"),
@@ -205,8 +205,8 @@ QString OrderPanel::expectedText(int row, bool isHorizontal) const {
 
 QString OrderPanel::remarkText(int row) const {
   const auto index = static_cast<std::size_t>(row);
-  for (const Repeat& repeat : m_evaluation->guide->repeats)
-    if (std::ranges::find(repeat.sightings, index) != repeat.sightings.end()) return tr("take again");
+  for (const SightingsToRepeat& toRepeat : m_evaluation->guide->allToRepeat)
+    if (std::ranges::find(toRepeat.sightings, index) != toRepeat.sightings.end()) return tr("take again");
   return sighting(row).isOutOfTurn ? tr("out of order") : QString();
 }
 
@@ -302,10 +302,10 @@ void OrderPanel::showSummary() {
                    : guide ? visibleLine(guide->problem)
                            : tr("A protocol shows the next sighting and its expected reading, which "
                                 "sightings remain, which to repeat, and when the readings suffice."));
-  QStringList repeats;
+  QStringList allToRepeat;
   if (isLed) {
-    for (const Repeat& repeat : guide->repeats)
-      repeats.append(qText(repeatSentence(repeat, guide->progress)));
+    for (const SightingsToRepeat& toRepeat : guide->allToRepeat)
+      allToRepeat.append(qText(repeatSentence(toRepeat, guide->progress)));
     const int count = static_cast<int>(guide->progress.sightings.size());
     m_progress->setMaximum(std::max(1, count));
     m_progress->setValue(static_cast<int>(guide->progress.taken));
@@ -323,8 +323,8 @@ void OrderPanel::showSummary() {
   m_choiceMade->setStatement(isLed && guide->choice
                                  ? std::optional(sightingChoiceStatement(*guide->choice, guide->progress))
                                  : std::nullopt);
-  m_repeats->setText(repeats.join(u'\n'));
-  m_repeats->setVisible(!repeats.isEmpty());
+  m_repeats->setText(allToRepeat.join(u'\n'));
+  m_repeats->setVisible(!allToRepeat.isEmpty());
   showNext();
 }
 
@@ -357,7 +357,7 @@ QString OrderPanel::outlookText(const OutlookOfSession& outlook) const {
   if (!outlook.failure.empty()) return qText(outlook.failure);
   if (guide.protocol.isByWorth) return outlook.ahead ? QString() : listedLater();
   const QString text = qText(outlookSentences(outlook.outlook, guide.progress)),
-                first = qText(repeatsFirst(guide.repeats));
+                first = qText(repeatsFirst(guide.allToRepeat));
   return first.isEmpty() ? text : tr("%1 %2").arg(first, text);
 }
 

@@ -39,7 +39,7 @@ QString axisText(const InputReliability& reliability, const SessionFit& fit) {
   if (!reliability.input.isPointingZero()) return notStated();
   if (reliability.input.arc == Unknown::everyArc) return ReliabilityPanel::tr("all");
   const ArcFit& arc = fit.arcs[reliability.input.arc];
-  return positionText(arc.axisDeg, arc.time);
+  return positionText(arc.axisDeg, arc.repeat);
 }
 
 QString influenceText(const InputReliability& reliability, const SessionFit& fit) {
@@ -83,7 +83,7 @@ DataTable* ReliabilityPanel::createTable() {
   return new DataTable({
       {tr("Axis"), tr("Position of the axis"), QStringLiteral("180° again"),
        [this](int i) {
-         if (!input(i)) return positionText(row(i).axisDeg, row(i).time);
+         if (!input(i)) return positionText(row(i).axisDeg, row(i).repeat);
          return axisText(*input(i), m_evaluation->fit);
        }},
       {tr("Point"), tr("Number of the slider's place"), QStringLiteral("999"), whole(&Row::point)},
@@ -166,7 +166,7 @@ ReliabilityPanel::Row ReliabilityPanel::row(int index) const {
 ReliabilityPanel::Row ReliabilityPanel::rowOf(const AdjustedReading& adjusted) const {
   const ArcMeasurement& measured = measuredArc(adjusted);
   const Sighting& sighting = measured.sightings[adjusted.sighting];
-  return {measured.position, sighting.row,  measured.axisDeg, measured.time,        sighting.round,
+  return {measured.position, sighting.row,  measured.axisDeg, measured.repeat,      sighting.round,
           sighting.point,    sighting.face, adjusted,         reliability(adjusted)};
 }
 

@@ -35,7 +35,7 @@ class ReliabilityPanel : public QWidget {
   /// The row of a reading.
   struct Row {
     std::size_t position = 0, reading = 0;
-    int axisDeg = 0, time = 1, round = 1, point = 0, face = 1;
+    int axisDeg = 0, repeat = 1, round = 1, point = 0, face = 1;
     AdjustedReading adjusted;
     Reliability reliability;
   };

@@ -249,11 +249,11 @@ TEST(FastArcFit, RefusesWhatItCannot) {
   EXPECT_TRUE(refuses({0, 0, 400}, std::vector<double>(7, 1.0)));
   EXPECT_TRUE(refuses({0, 0, 400}, test::spread(17, 2)));     // almost straight
   EXPECT_TRUE(refuses({0, 0, 3000}, test::spread(17, 150)));  // angles above 45°
-  ArcMeasurement slip = test::perfectArc(measurement, {0, 0, 400}, test::spread(17, 150));
-  slip.sightings[8].e = slip.sightings[8].e + Angle::fromDegrees(1);
-  EXPECT_FALSE(fitFast(measurement, slip));
-  slip.sightings[8].e = Angle::fromRadians(std::nan(""));
-  EXPECT_FALSE(fitFast(measurement, slip));
+  ArcMeasurement misread = test::perfectArc(measurement, {0, 0, 400}, test::spread(17, 150));
+  misread.sightings[8].e = misread.sightings[8].e + Angle::fromDegrees(1);
+  EXPECT_FALSE(fitFast(measurement, misread));
+  misread.sightings[8].e = Angle::fromRadians(std::nan(""));
+  EXPECT_FALSE(fitFast(measurement, misread));
 }
 
 }  // namespace

@@ -42,10 +42,10 @@ bool restores(const Correction& correction, const std::vector<CellChange>& cure)
 }
 
 /// Types a wrong reading; returns its correction.
-CellChange spoil(Session& session, const Place& where, Slip slip) {
+CellChange spoil(Session& session, const Place& where, TypedError error) {
   std::mt19937_64 random(1);
   const std::string intended = cell(session, where);
-  cell(session, where) = typedWrongly(intended, slip, random);
+  cell(session, where) = typedWrongly(intended, error, random);
   return {where, intended};
 }
 
@@ -81,25 +81,25 @@ TEST(CorrectionTrials, GatherTheRowsOfAVisit) {
 // is rejected, and the right correction comes first and leaves some noise. All that agree are ordered by
 // score.
 TEST(CorrectionTrials, PutWhatWasMeantFirst) {
-  using enum Slip;
+  using enum TypedError;
   for (const char* plan : {"paper", "paper-slider", "two-face"})
-    for (const Slip slip : {DegreeOff, TenMinutesOff, MinuteOff, NeighbouringRow})
+    for (const TypedError error : {DegreeOff, TenMinutesOff, MinuteOff, NeighbouringRow})
       for (const std::uint64_t seed : {1u, 2u}) {
-        if (slip == NeighbouringRow && std::string(plan) == "two-face")
+        if (error == NeighbouringRow && std::string(plan) == "two-face")
           continue;  // both rows are then of
                      // the same visit
-        SCOPED_TRACE(std::string(plan) + " " + std::to_string(static_cast<int>(slip)) + " " +
+        SCOPED_TRACE(std::string(plan) + " " + std::to_string(static_cast<int>(error)) + " " +
                      std::to_string(seed));
-        const SlippedSession slipped = slippedSession(*protocolByName(plan), slip, seed);
-        CorrectionTrials trials = trialsOf(slipped.session);
-        const Visited visit = visitAt(trials, slipped.session, slipped.cure[0].where);
+        const MistypedSession mistyped = mistypedSession(*protocolByName(plan), error, seed);
+        CorrectionTrials trials = trialsOf(mistyped.session);
+        const Visited visit = visitAt(trials, mistyped.session, mistyped.cure[0].where);
         EXPECT_EQ(trials.grossErrorsIn(visit).size(), 1u);
-        EXPECT_EQ(trials.grossErrors().size(), slipped.cure.size()) << "one in each visit";
+        EXPECT_EQ(trials.grossErrors().size(), mistyped.cure.size()) << "one in each visit";
         const VisitCheck check = trials.checkOf(visit);
         EXPECT_FALSE(trials.agreesAsTyped(visit, check));
         const std::vector<AgreeingCorrection> tried = trials.agreeing(visit, check);
         ASSERT_FALSE(tried.empty());
-        EXPECT_TRUE(restores(tried[0].correction, slipped.cure));
+        EXPECT_TRUE(restores(tried[0].correction, mistyped.cure));
         EXPECT_LT(std::abs(tried[0].residual.arcseconds()), 5 * 2);
         EXPECT_TRUE(std::ranges::is_sorted(tried, std::ranges::greater(), &AgreeingCorrection::score));
       }
@@ -108,15 +108,15 @@ TEST(CorrectionTrials, PutWhatWasMeantFirst) {
 // In one face and without slider the score is the sum of three parts: the frequency of the slip, the row's
 // agreement with all others, and the gain in the visit of another changed row. Sums in the same order: 1e-9.
 TEST(CorrectionTrials, ScoreBySlipAndBothVisits) {
-  using enum Slip;
+  using enum TypedError;
   int inOne = 0, inTwo = 0;
-  for (const Slip slip : {MinuteOff, TenSecondsOff, NeighbouringRow})
+  for (const TypedError error : {MinuteOff, TenSecondsOff, NeighbouringRow})
     for (const std::uint64_t seed : {1u, 2u, 3u}) {
-      const SlippedSession slipped = slippedSession(*protocolByName("paper"), slip, seed);
-      CorrectionTrials trials = trialsOf(slipped.session);
-      RowReader reader(slipped.session);
-      const std::size_t arc = *slipped.cure[0].where.position;
-      const Visited visit = visitAt(trials, slipped.session, slipped.cure[0].where);
+      const MistypedSession mistyped = mistypedSession(*protocolByName("paper"), error, seed);
+      CorrectionTrials trials = trialsOf(mistyped.session);
+      RowReader reader(mistyped.session);
+      const std::size_t arc = *mistyped.cure[0].where.position;
+      const Visited visit = visitAt(trials, mistyped.session, mistyped.cure[0].where);
       const VisitCheck check = trials.checkOf(visit);
       for (const AgreeingCorrection& one : trials.agreeing(visit, check)) {
         double expected = std::log(one.correction.prior) + check.agreement({one.sighting}).logLikelihood;
@@ -185,7 +185,7 @@ TEST(CorrectionTrials, LetSoundVisitsStandAsTyped) {
 TEST(CorrectionTrials, CheckByOtherVisitsAlone) {
   const Session session = sound("paper");
   Session changed = session;
-  spoil(changed, {.position = 0, .reading = 5, .field = "vertical"}, Slip::DegreeOff);
+  spoil(changed, {.position = 0, .reading = 5, .field = "vertical"}, TypedError::DegreeOff);
   std::string& neighbour = changed.positions[0].readings[9].vertical;
   neighbour = formatDms(*parseAngle(neighbour) + Angle::fromArcseconds(6), 1, AngleSigns::Typewriter);
   const CorrectionTrials trials = trialsOf(session), ofChanged = trialsOf(changed);
@@ -204,8 +204,8 @@ TEST(CorrectionTrials, CheckByOtherVisitsAlone) {
 TEST(CorrectionTrials, MendTwoSlipsOfOneVisitOneByOne) {
   Session session = sound("full");
   const std::vector<CellChange> cures{
-      spoil(session, {.position = 1, .reading = 12, .field = "horizontal"}, Slip::DegreeOff),
-      spoil(session, {.position = 1, .reading = 13, .field = "vertical"}, Slip::TenMinutesOff)};
+      spoil(session, {.position = 1, .reading = 12, .field = "horizontal"}, TypedError::DegreeOff),
+      spoil(session, {.position = 1, .reading = 13, .field = "vertical"}, TypedError::TenMinutesOff)};
   CorrectionTrials trials = trialsOf(session);
   const Visited visit = visitAt(trials, session, cures[0].where);
   ASSERT_EQ(visit.rows, (std::vector<std::size_t>{12, 13}));
@@ -238,7 +238,7 @@ TEST(CorrectionTrials, HoldTheSliderOfTwoRowsAgainstEachOther) {
   const std::size_t tens = digit.find('\'') + 1;
   digit[tens] = digit[tens] < '3' ? static_cast<char>(digit[tens] + 3) : static_cast<char>(digit[tens] - 3);
   std::mt19937_64 random(1);
-  for (const std::string& typed : {digit, typedWrongly(intended, Slip::DegreeOff, random)}) {
+  for (const std::string& typed : {digit, typedWrongly(intended, TypedError::DegreeOff, random)}) {
     readings[21].slider = typed;
     CorrectionTrials trials = trialsOf(session);
     EXPECT_TRUE(trials.grossErrors().empty());
@@ -283,7 +283,7 @@ TEST(CorrectionTrials, TakeEachFaceOfAVisitOnce) {
 TEST(CorrectionTrials, ChangeOneCellAloneWhereAsked) {
   Session session = sound("two-face");
   const CellChange cure =
-      spoil(session, {.position = 1, .reading = 12, .field = "horizontal"}, Slip::TenMinutesOff);
+      spoil(session, {.position = 1, .reading = 12, .field = "horizontal"}, TypedError::TenMinutesOff);
   CorrectionTrials trials = trialsOf(session);
   const Visited visit = visitAt(trials, session, cure.where);
   const VisitCheck check = trials.checkOf(visit);
@@ -291,7 +291,7 @@ TEST(CorrectionTrials, ChangeOneCellAloneWhereAsked) {
     const ReadingRef only{1, sighting, ReadingKind::Horizontal};
     EXPECT_EQ(trials.agreeing(visit, check, {}, &only).empty(), sighting == 13) << sighting;
   }
-  const SlippedSession exchanged = slippedSession(*protocolByName("paper"), Slip::NeighbouringRow, 1);
+  const MistypedSession exchanged = mistypedSession(*protocolByName("paper"), TypedError::NeighbouringRow, 1);
   CorrectionTrials ofBoth = trialsOf(exchanged.session);
   const Visited one = visitAt(ofBoth, exchanged.session, exchanged.cure[0].where);
   const std::vector<GrossError> errors = ofBoth.grossErrorsIn(one);
@@ -306,14 +306,14 @@ TEST(CorrectionTrials, ChangeOneCellAloneWhereAsked) {
 TEST(CorrectionTrials, MendNoRowAtTheCostOfItsNeighbour) {
   Session session = sound("there-and-back");
   const CellChange cure =
-      spoil(session, {.position = 0, .reading = 16, .field = "horizontal"}, Slip::TenMinutesOff);
+      spoil(session, {.position = 0, .reading = 16, .field = "horizontal"}, TypedError::TenMinutesOff);
   ASSERT_EQ(session.positions[0].readings[16].point, session.positions[0].readings[17].point);
   CorrectionTrials trials = trialsOf(session);
   const Visited visit = visitAt(trials, session, cure.where);
   const std::vector<AgreeingCorrection> tried = trials.agreeing(visit, trials.checkOf(visit));
   ASSERT_FALSE(tried.empty());
   EXPECT_TRUE(restores(tried[0].correction, {cure}));
-  for (const AgreeingCorrection& one : tried) EXPECT_NE(one.correction.slip, EntrySlip::NeighbouringRow);
+  for (const AgreeingCorrection& one : tried) EXPECT_NE(one.correction.error, EntryError::NeighbouringRow);
 }
 
 // A collimation of 100″ that is in the session's model: a slip of a minute is visible. Without the effect all
@@ -324,7 +324,7 @@ TEST(CorrectionTrials, KeepToTheModelOfTheSession) {
   Session session = *simulate(*protocolByName("two-face"), truth, 4);
   session.model.effects = {"collimation"};
   const CellChange cure =
-      spoil(session, {.position = 0, .reading = 20, .field = "horizontal"}, Slip::MinuteOff);
+      spoil(session, {.position = 0, .reading = 20, .field = "horizontal"}, TypedError::MinuteOff);
   CorrectionTrials trials = trialsOf(session);
   EXPECT_EQ(trials.grossErrors().size(), 1u);
   const Visited visit = visitAt(trials, session, cure.where);
@@ -335,7 +335,7 @@ TEST(CorrectionTrials, KeepToTheModelOfTheSession) {
 
 TEST(CorrectionTrials, FindNothingOnceAskedToStop) {
   Session session = sound("paper");
-  spoil(session, {.position = 0, .reading = 5, .field = "vertical"}, Slip::DegreeOff);
+  spoil(session, {.position = 0, .reading = 5, .field = "vertical"}, TypedError::DegreeOff);
   std::stop_source stop;
   EXPECT_EQ(trialsOf(session, stop.get_token()).grossErrors().size(), 1u);
   stop.request_stop();

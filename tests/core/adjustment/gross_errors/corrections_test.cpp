@@ -9,24 +9,25 @@
 namespace alidade::test {
 namespace {
 
-int countOf(const std::vector<Correction>& corrections, EntrySlip slip) {
-  return static_cast<int>(std::ranges::count(corrections, slip, &Correction::slip));
+int countOf(const std::vector<Correction>& corrections, EntryError error) {
+  return static_cast<int>(std::ranges::count(corrections, error, &Correction::error));
 }
 
 TEST(Corrections, TryEveryKindOfSlip) {
   const auto corrections = correctionsOf(paperSession(), 0, 5);
-  for (const EntrySlip slip : {EntrySlip::DigitsSwapped, EntrySlip::OneDigitWrong, EntrySlip::DegreeOff,
-                               EntrySlip::TenMinutesOff, EntrySlip::MinuteOff, EntrySlip::TenSecondsOff,
-                               EntrySlip::CirclesSwapped, EntrySlip::WrongFace, EntrySlip::NeighbouringRow})
-    EXPECT_GT(countOf(corrections, slip), 0) << static_cast<int>(slip);
+  for (const EntryError error :
+       {EntryError::DigitsSwapped, EntryError::OneDigitWrong, EntryError::DegreeOff,
+        EntryError::TenMinutesOff, EntryError::MinuteOff, EntryError::TenSecondsOff,
+        EntryError::CirclesSwapped, EntryError::WrongFace, EntryError::NeighbouringRow})
+    EXPECT_GT(countOf(corrections, error), 0) << static_cast<int>(error);
 }
 
 TEST(Corrections, ExchangeReadingsWithBothNeighbours) {
   const Session session = paperSession();
-  EXPECT_EQ(countOf(correctionsOf(session, 0, 5), EntrySlip::NeighbouringRow), 6);
-  EXPECT_EQ(countOf(correctionsOf(session, 0, 0), EntrySlip::NeighbouringRow), 3) << "the first row has one";
+  EXPECT_EQ(countOf(correctionsOf(session, 0, 5), EntryError::NeighbouringRow), 6);
+  EXPECT_EQ(countOf(correctionsOf(session, 0, 0), EntryError::NeighbouringRow), 3) << "the first row has one";
   for (const Correction& correction : correctionsOf(session, 0, 0))
-    if (correction.slip == EntrySlip::NeighbouringRow && correction.changes.size() == 2) {
+    if (correction.error == EntryError::NeighbouringRow && correction.changes.size() == 2) {
       const std::string Reading::*column =
           correction.changes[0].where.field == "vertical" ? &Reading::vertical : &Reading::horizontal;
       EXPECT_EQ(correction.rows.at(0).*column, session.positions[0].readings[1].*column);

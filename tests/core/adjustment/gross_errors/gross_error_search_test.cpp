@@ -41,15 +41,15 @@ TEST(GrossErrorSearch, FindsTheGrossErrorsOfTheRayTracer) {
     ASSERT_EQ(search.grossErrors.size(), 1u);
     const GrossError& found = search.grossErrors[0];
     const Sighting& sighting = trial.measurement.arcs[found.cell.arc].sightings[found.cell.sighting];
-    const auto& blunder = trial.truth.at("blunders").at(0);
-    EXPECT_EQ(blunder.at(0), found.cell.arc);
-    EXPECT_EQ(blunder.at(1), sighting.round);
-    EXPECT_EQ(blunder.at(2), sighting.point);
-    EXPECT_EQ(blunder.at(3), sighting.face);
+    const auto& grossError = trial.truth.at("blunders").at(0);
+    EXPECT_EQ(grossError.at(0), found.cell.arc);
+    EXPECT_EQ(grossError.at(1), sighting.round);
+    EXPECT_EQ(grossError.at(2), sighting.point);
+    EXPECT_EQ(grossError.at(3), sighting.face);
     EXPECT_THAT(found.rivals, IsEmpty());
     // Zenith readings increase downwards, reduced ones upwards; all three are in face 1.
     const double size = found.size.arcseconds() * (found.cell.kind == Horizontal ? 1 : -1);
-    EXPECT_NEAR(size, blunder.at(found.cell.kind == Horizontal ? 4 : 5), 4 * found.sigma.arcseconds());
+    EXPECT_NEAR(size, grossError.at(found.cell.kind == Horizontal ? 4 : 5), 4 * found.sigma.arcseconds());
   }
 }
 

@@ -25,10 +25,10 @@ struct Score {
 Score scoreOf(const char* plan, int sessions) {
   Score score;
   for (int i = 0; i < sessions; ++i) {
-    const auto slip = static_cast<Slip>(1 + i % slipKinds);
-    const SlippedSession slipped =
-        slippedSession(*protocolByName(plan), slip, static_cast<std::uint64_t>(i) + 5001);
-    const Found found = judge(slipped, suspectsOf(slipped.session));
+    const auto error = static_cast<TypedError>(1 + i % errorKinds);
+    const MistypedSession mistyped =
+        mistypedSession(*protocolByName(plan), error, static_cast<std::uint64_t>(i) + 5001);
+    const Found found = judge(mistyped, suspectsOf(mistyped.session));
     ++score.sessions;
     score.wrongCell += found.rightCell ? 0 : 1;
     score.wrongCorrection += found.rightCorrection ? 0 : 1;
@@ -62,7 +62,7 @@ TEST(Suspects, AreTheSlipsOfSightingsInTwoFaces) {
 TEST(Suspects, AreNamedInSoundSessionsAsRarelyAsStated) {
   int alarms = 0;
   for (std::uint64_t seed = 1; seed <= 150; ++seed) {
-    const Session session = slippedSession(*protocolByName("paper"), Slip::None, seed).session;
+    const Session session = mistypedSession(*protocolByName("paper"), TypedError::None, seed).session;
     const Measurement measurement = *examine(session).measurement;
     alarms += findSuspects(session, measurement, fitSession(measurement), {.risk = 0.05}).empty() ? 0 : 1;
   }
@@ -81,9 +81,9 @@ TEST(Suspects, AreNotGivenACorrectionThatAnotherSlipFeigns) {
   for (const char* plan : {"paper", "two-face"})
     for (const std::size_t count : {2U, 3U})
       for (std::uint64_t seed = 1; seed <= 60; ++seed) {
-        const SlippedSession slipped = neighbouringSlips(*protocolByName(plan), count, seed);
-        const auto suspects = suspectsOf(slipped.session);
-        sessions += falseOffers(slipped, suspects) > 0 ? 1 : 0;
+        const MistypedSession mistyped = neighbouringErrors(*protocolByName(plan), count, seed);
+        const auto suspects = suspectsOf(mistyped.session);
+        sessions += falseOffers(mistyped, suspects) > 0 ? 1 : 0;
         for (const Suspect& suspect : suspects) offers += suspect.proposals.empty() ? 0 : 1;
       }
   EXPECT_LE(sessions, 6u);
@@ -104,7 +104,7 @@ TEST(Suspects, SayWhatWasProbablyMeant) {
   EXPECT_EQ(suspects[0].axisDeg, 0);
   EXPECT_EQ(suspects[0].point, 5);
   ASSERT_FALSE(suspects[0].proposals.empty());
-  EXPECT_EQ(suspects[0].proposals[0].slip, EntrySlip::DigitsSwapped);
+  EXPECT_EQ(suspects[0].proposals[0].error, EntryError::DigitsSwapped);
   EXPECT_EQ(suspects[0].proposals[0].changes,
             (std::vector<CellChange>{{suspects[0].where, intended, typed}}));
 }
@@ -122,7 +122,7 @@ TEST(Suspects, IncludeRowsThatCouldNotBeUsed) {
 }
 
 TEST(Suspects, AreLeftAloneOnceAskedToStop) {
-  const Session session = slippedSession(*protocolByName("paper"), Slip::DigitWrong, 5001).session;
+  const Session session = mistypedSession(*protocolByName("paper"), TypedError::DigitWrong, 5001).session;
   const Measurement measurement = *examine(session).measurement;
   const SessionFit fit = fitSession(measurement);
   std::stop_source stop;
@@ -133,7 +133,7 @@ TEST(Suspects, AreLeftAloneOnceAskedToStop) {
 
 // The stop request comes at sixty moments, from the start of the search to slightly after its end.
 TEST(Suspects, AreSomeOfAllOnceAskedToStopMeanwhile) {
-  Session session = slippedSession(*protocolByName("paper"), Slip::DigitWrong, 5001).session;
+  Session session = mistypedSession(*protocolByName("paper"), TypedError::DigitWrong, 5001).session;
   session.positions[0].readings[4].vertical = session.positions[0].readings[11].vertical;
   session.positions[1].readings[2].horizontal = session.positions[1].readings[14].horizontal;
   const Measurement measurement = *examine(session).measurement;

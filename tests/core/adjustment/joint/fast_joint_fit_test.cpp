@@ -99,11 +99,11 @@ void expectAlike(const JointFit& fast, const JointFit& general) {
     EXPECT_NEAR(one.redundancy, other.redundancy, 1e-7);
     EXPECT_NEAR(one.perReading, other.perReading, 1e-6 * (1 + std::abs(other.perReading)));
   }
-  ASSERT_EQ(fast.misfits.size(), general.misfits.size());
-  for (std::size_t arc = 0; arc < fast.misfits.size(); ++arc) {
-    EXPECT_EQ(fast.misfits[arc].degreesOfFreedom, general.misfits[arc].degreesOfFreedom);
-    EXPECT_NEAR(fast.misfits[arc].chiSquare, general.misfits[arc].chiSquare,
-                1e-8 * (1 + general.misfits[arc].chiSquare));
+  ASSERT_EQ(fast.residualSums.size(), general.residualSums.size());
+  for (std::size_t arc = 0; arc < fast.residualSums.size(); ++arc) {
+    EXPECT_EQ(fast.residualSums[arc].degreesOfFreedom, general.residualSums[arc].degreesOfFreedom);
+    EXPECT_NEAR(fast.residualSums[arc].chiSquare, general.residualSums[arc].chiSquare,
+                1e-8 * (1 + general.residualSums[arc].chiSquare));
     ASSERT_EQ(fast.arcAngles[arc].size(), general.arcAngles[arc].size());
     for (std::size_t i = 0; i < fast.arcAngles[arc].size(); ++i)
       EXPECT_NEAR(std::remainder(fast.arcAngles[arc][i] - general.arcAngles[arc][i], 2 * std::acos(-1.0)), 0,

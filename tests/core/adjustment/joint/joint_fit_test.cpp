@@ -41,8 +41,8 @@ TEST(JointFit, AgreesWithTheFitsOfSingleArcs) {
     EXPECT_NEAR(valueOf(fit, {.kind = Unknown::Kind::CentreX, .arc = arc}), alone.circle.x, 1e-9);
     EXPECT_NEAR(valueOf(fit, {.kind = Unknown::Kind::CentreY, .arc = arc}), alone.circle.y, 1e-9);
     EXPECT_NEAR(valueOf(fit, {.kind = Unknown::Kind::Radius, .arc = arc}), alone.circle.radius, 1e-9);
-    EXPECT_NEAR(fit.misfits[arc].chiSquare, alone.chiSquare, 1e-9 * alone.chiSquare);
-    EXPECT_EQ(fit.misfits[arc].degreesOfFreedom, alone.degreesOfFreedom);
+    EXPECT_NEAR(fit.residualSums[arc].chiSquare, alone.chiSquare, 1e-9 * alone.chiSquare);
+    EXPECT_EQ(fit.residualSums[arc].degreesOfFreedom, alone.degreesOfFreedom);
     const std::size_t y = fit.indexOf({.kind = Unknown::Kind::CentreY, .arc = arc});
     EXPECT_NEAR(fit.cofactor(y, y), alone.cofactor[1][1], 1e-9 * alone.cofactor[1][1]);
   }

@@ -25,7 +25,7 @@ Measurement measuredAgain(int points = 13) {
   measurement.arcs = {test::perfectArc(measurement, at0, test::spread(points, 140)),
                       test::perfectArc(measurement, at180, test::spread(points + 4, 150, -90), 180),
                       test::perfectArc(measurement, at0, test::spread(points, 140))};
-  measurement.arcs[2].time = 2;
+  measurement.arcs[2].repeat = 2;
   for (std::size_t i = 0; i < measurement.arcs.size(); ++i) {
     measurement.arcs[i].position = i;
     for (Sighting& sighting : measurement.arcs[i].sightings) sighting.sequence = measurement.rows++;
@@ -55,7 +55,7 @@ TEST(RepeatedPositions, ShareOneCircle) {
     EXPECT_NEAR(fit.arcs[arc].circle.y, at0.y, 1e-8);
     EXPECT_NEAR(fit.arcs[arc].circle.radius, at0.radius, 1e-8);
   }
-  EXPECT_EQ(fit.arcs[2].time, 2);
+  EXPECT_EQ(fit.arcs[2].repeat, 2);
   EXPECT_NEAR(fit.intersection->value, 1, 1e-8);
   // Degrees of freedom: two readings of each row, minus one place of each row and three numbers of each of
   // two circles. The zeros are observed.

@@ -63,7 +63,7 @@ TEST(ExpandedRefit, AgreesWithTheGeneralOneOnPositionsMeasuredAgain) {
     Measurement measurement =
         test::withPerfectArcs(test::uncertainMeasurement(), circlesRead, 9, 150, sliders);
     measurement.arcs.push_back(measurement.arcs[0]);
-    measurement.arcs.back().time = 2;
+    measurement.arcs.back().repeat = 2;
     measurement.arcs.back().position = 2;
     for (Sighting& sighting : measurement.arcs.back().sightings) sighting.sequence = measurement.rows++;
     setMoments(measurement);

@@ -58,7 +58,7 @@ TEST(Closures, TellWhatRepeatsDisagreeBy) {
   Measurement measurement = withArcs({0, 1, 400}, {0, -1, 400});
   std::ranges::reverse(measurement.arcs);
   measurement.arcs.push_back(test::perfectArc(measurement, {0.5, 0.2, 400.4}, test::spread(9, 120)));
-  measurement.arcs.back().time = 2;
+  measurement.arcs.back().repeat = 2;
   measurement.arcs.back().position = 2;
   const SessionFit fit = fitSession(measurement);
   std::vector<Circle> starts;

@@ -82,15 +82,15 @@ TEST(GrossErrorComponents, PointAtTheReadingThatIsOff) {
     const GrossErrorComponent& most = *std::ranges::max_element(components, std::ranges::less(), taken);
     const LinearReading& reading = leftover.reading(*most.grossErrorAt());
     const Sighting& sighting = trial.measurement.arcs[reading.arc].sightings[reading.sighting];
-    const auto& blunder = trial.truth.at("blunders").at(0);
-    EXPECT_EQ(blunder.at(0), reading.arc);
-    EXPECT_EQ(blunder.at(1), sighting.round);
-    EXPECT_EQ(blunder.at(2), sighting.point);
-    EXPECT_EQ(blunder.at(3), sighting.face);
+    const auto& grossError = trial.truth.at("blunders").at(0);
+    EXPECT_EQ(grossError.at(0), reading.arc);
+    EXPECT_EQ(grossError.at(1), sighting.round);
+    EXPECT_EQ(grossError.at(2), sighting.point);
+    EXPECT_EQ(grossError.at(3), sighting.face);
     const bool isHorizontal = reading.kind == ReadingKind::Horizontal;
     const double side = isHorizontal ? 1 : -1;  // zenith readings increase downwards
     EXPECT_NEAR(side * most.products(left)[0] / most.gram()(0, 0),
-                blunder.at(isHorizontal ? 4 : 5).get<double>() / 2, 4 / std::sqrt(most.gram()(0, 0)));
+                grossError.at(isHorizontal ? 4 : 5).get<double>() / 2, 4 / std::sqrt(most.gram()(0, 0)));
     const double before = model.fit->chiSquare;
     most.addTo(model.options, leftover, VectorXd::Zero(1), 8);
     EXPECT_EQ(model.options.without,

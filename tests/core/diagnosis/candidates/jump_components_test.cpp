@@ -114,16 +114,16 @@ TEST(JumpComponents, LargeSlipIsNoStep) {
 // jump of 0.4 has the narrow width with odds of e^(0.08 − 0.8889)/0.3. A jump far larger than both has its
 // own size as width.
 TEST(JumpComponents, ThatAreSmallWhereTheyShowAreNotTakenForLargeElsewhere) {
-  const std::vector<JumpComponent> slips = zeroSlips(Leftover(
+  const std::vector<JumpComponent> components = wrongZeros(Leftover(
       linearise(test::trialMeasurement("paper"),
                 *closedModelOf(*modelOf(test::trialMeasurement("paper")))->fit, {.isClosed = true})));
-  ASSERT_EQ(slips.size(), 2u);
+  ASSERT_EQ(components.size(), 2u);
   const double odds = std::exp(0.08 - 0.16 / 0.18) / 0.3;
   const double expected = std::sqrt((odds * 0.09 + 1) / (odds + 1));
-  for (const JumpComponent& slip : slips) {
-    EXPECT_NEAR(slip.widthOfFit(1, Eigen::Vector2d(-0.4, 0)), expected, 1e-12);
-    EXPECT_NEAR(slip.widthOfFit(0.3, Eigen::Vector2d(0.1, 0.4)), expected, 1e-12);
-    EXPECT_NEAR(slip.widthOfFit(1, Eigen::Vector2d(0, 20)), 20, 1e-12);
+  for (const JumpComponent& component : components) {
+    EXPECT_NEAR(component.widthOfFit(1, Eigen::Vector2d(-0.4, 0)), expected, 1e-12);
+    EXPECT_NEAR(component.widthOfFit(0.3, Eigen::Vector2d(0.1, 0.4)), expected, 1e-12);
+    EXPECT_NEAR(component.widthOfFit(1, Eigen::Vector2d(0, 20)), 20, 1e-12);
   }
 }
 

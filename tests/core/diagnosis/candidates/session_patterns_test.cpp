@@ -33,7 +33,7 @@ void expectToExplain(const SessionEvidence& evidence, const EffectColumns& colum
                      const std::vector<double>& weights) {
   double length = 0, missed = 0;
   for (std::size_t i = 0; i < columns.count; ++i) {
-    const double right = evidence.accounts.front().right[columns.first + i];
+    const double right = evidence.explanations.front().right[columns.first + i];
     double explained = 0;
     for (std::size_t j = 0; j < columns.count; ++j)
       explained +=

@@ -89,7 +89,7 @@ PossibleCause possibleCauseOf(const std::string& id, double size) {
   return {id, VectorXd::Constant(1, size / parameter.plausible)};
 }
 
-PossibleCause slipOf(std::size_t arc, double horizontal) {
+PossibleCause wrongZeroOf(std::size_t arc, double horizontal) {
   return {jumpId, Vector2d(horizontal / 60, 0), 1, arc};
 }
 
@@ -153,8 +153,9 @@ TEST(Advice, PromisesOfEveryTwoWhatSessionsWithTheFurtherReadingsShow) {
 TEST(Advice, SightsTheZerosAgainToTellASlipFromADriftAndAShift) {
   const Inquiry inquiry = inquiryInto(*closedModelOf(modelBy(*protocolByName("paper"), {})));
   const std::vector<Advice> list = adviceFor(
-      inquiry, {possibleCauseOf("axial_shift", 0.3), possibleCauseOf("horizontal_drift", 60), slipOf(1, 30)},
-      {}, {});
+      inquiry,
+      {possibleCauseOf("axial_shift", 0.3), possibleCauseOf("horizontal_drift", 60), wrongZeroOf(1, 30)}, {},
+      {});
   const Advice* zero = adviceTo(Measure::ZeroSightedAgain, list);
   ASSERT_TRUE(zero);
   EXPECT_EQ(zero, &list.front());
@@ -165,10 +166,10 @@ TEST(Advice, SightsTheZerosAgainToTellASlipFromADriftAndAShift) {
 }
 
 /// A jump between the zero and the first visit of a position of the paper's plan.
-PossibleCause slipAt(std::size_t arc, double horizontal) {
-  PossibleCause slip = slipOf(arc, horizontal);
-  slip.moment = JumpMoment{18 * arc + 1, 18 * (arc + 1)};  // the zero precedes the 17 rows
-  return slip;
+PossibleCause wrongZeroAt(std::size_t arc, double horizontal) {
+  PossibleCause wrongZero = wrongZeroOf(arc, horizontal);
+  wrongZero.moment = JumpMoment{18 * arc + 1, 18 * (arc + 1)};  // the zero precedes the 17 rows
+  return wrongZero;
 }
 
 // The repeat at 0° is equal to the first position, even with a shift at 180°, unless the first zero slipped.
@@ -177,19 +178,19 @@ PossibleCause slipAt(std::size_t arc, double horizontal) {
 TEST(Advice, MeasuresAPositionAgainToTellASlipOfItsZeroFromAShift) {
   const Inquiry inquiry = inquiryInto(*closedModelOf(modelBy(*protocolByName("paper"), {})));
   const std::vector<Advice> ofFirst =
-      adviceFor(inquiry, {possibleCauseOf("axial_shift", 0.35), slipAt(0, 30)}, {}, {});
+      adviceFor(inquiry, {possibleCauseOf("axial_shift", 0.35), wrongZeroAt(0, 30)}, {}, {});
   const Advice *again = adviceTo(Measure::At0Again, ofFirst), *other = adviceTo(Measure::At180Again, ofFirst);
   ASSERT_TRUE(again);
   EXPECT_FALSE(other) << "both 180° positions lie where a shift has them";
   EXPECT_NEAR(again->bySigma, 30 / (2 * std::numbers::sqrt2 * std::hypot(1, 0.37)), 0.1 * again->bySigma);
   EXPECT_GT(again->oneLeft, 0.99);
   const std::vector<Advice> ofSecond =
-      adviceFor(inquiry, {possibleCauseOf("axial_shift", 0.35), slipAt(1, 30)}, {}, {});
+      adviceFor(inquiry, {possibleCauseOf("axial_shift", 0.35), wrongZeroAt(1, 30)}, {}, {});
   EXPECT_FALSE(adviceTo(Measure::At0Again, ofSecond));
   EXPECT_TRUE(adviceTo(Measure::At180Again, ofSecond));
   // Either zero may have slipped: only both repeated positions decide.
-  const std::vector<Advice> ofEither =
-      adviceFor(inquiry, {possibleCauseOf("axial_shift", 0.35), slipAt(0, 30), slipAt(1, -30)}, {}, {});
+  const std::vector<Advice> ofEither = adviceFor(
+      inquiry, {possibleCauseOf("axial_shift", 0.35), wrongZeroAt(0, 30), wrongZeroAt(1, -30)}, {}, {});
   EXPECT_FALSE(adviceTo(Measure::At0Again, ofEither));
   EXPECT_FALSE(adviceTo(Measure::At180Again, ofEither));
 }

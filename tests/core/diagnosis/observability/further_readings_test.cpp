@@ -138,7 +138,7 @@ TEST(FurtherReadings, MeasureAPositionAgain) {
     ASSERT_EQ(set.arcs.size(), 3u);
     const ArcMeasurement &again = set.arcs[2], &first = set.arcs[axisDeg == 0 ? 0 : 1];
     EXPECT_EQ(again.axisDeg, axisDeg);
-    EXPECT_EQ(again.time, 2);
+    EXPECT_EQ(again.repeat, 2);
     ASSERT_EQ(again.sightings.size(), first.sightings.size());
     EXPECT_EQ(again.sightings.front().sequence, model.measurement->rows);
     EXPECT_EQ(again.sightings.back().a, first.sightings.back().a);

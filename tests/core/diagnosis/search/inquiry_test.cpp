@@ -14,7 +14,7 @@
 namespace alidade {
 namespace {
 
-Diagnosis diagnosedSlip(const std::string& protocol, double arcseconds) {
+Diagnosis diagnosedError(const std::string& protocol, double arcseconds) {
   Truth truth = drawTruth(3);
   truth.effects = {{ErrorTerm::Collimation, 15}};
   truth.grossErrors = {
@@ -40,7 +40,7 @@ double bayesFactorOf(const Diagnosis& diagnosis, const std::string& id) {
 TEST(Inquiry, AnswersAlikeOnBothSidesOfWhereAReadingIsFarOff) {
   for (const char* protocol : {"paper", "full"}) {
     SCOPED_TRACE(protocol);
-    const Diagnosis below = diagnosedSlip(protocol, 590), above = diagnosedSlip(protocol, 620);
+    const Diagnosis below = diagnosedError(protocol, 590), above = diagnosedError(protocol, 620);
     ASSERT_EQ(below.causes.size(), above.causes.size());
     for (std::size_t i = 0; i < below.causes.size(); ++i)
       EXPECT_EQ(below.causes[i].effect, above.causes[i].effect);
@@ -128,7 +128,7 @@ struct LargeEffect {
 // without them would give wrong sizes. Δd is right within U, and only noise remains: reduced χ² is 1 within
 // five of its σ, √(2/27) for the plan with the fewest readings.
 TEST(Inquiry, NamesEffectsHoweverLarge) {
-  const auto knock = [](double arcseconds) {
+  const auto jumpBy = [](double arcseconds) {
     return [arcseconds](Truth& truth) {
       truth.jump = {.moment = 0.4,
                     .horizontal = Angle::fromArcseconds(arcseconds),
@@ -139,10 +139,10 @@ TEST(Inquiry, NamesEffectsHoweverLarge) {
     return [=](Truth& truth) { truth.effects = {{term, arcseconds}}; };
   };
   const std::vector<LargeEffect> effects{
-      {"paper", "orientation_jump", knock(300)},
-      {"paper", "orientation_jump", knock(3600)},
-      {"two-face", "orientation_jump", knock(3600)},
-      {"full", "orientation_jump", knock(1000)},
+      {"paper", "orientation_jump", jumpBy(300)},
+      {"paper", "orientation_jump", jumpBy(3600)},
+      {"two-face", "orientation_jump", jumpBy(3600)},
+      {"full", "orientation_jump", jumpBy(1000)},
       {"two-face", "horizontal_drift", size(ErrorTerm::HorizontalDrift, 300)},
       {"full", "vertical_drift", size(ErrorTerm::VerticalDrift, 300)},
       {"full", "collimation", size(ErrorTerm::Collimation, 1000)},

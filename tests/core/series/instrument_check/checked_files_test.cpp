@@ -66,11 +66,11 @@ TEST(CheckedFile, OfDirectionsAloneHasNoFigureOfTheVerticalCircle) {
   ASSERT_TRUE(check) << check.problem().text();
   const StationCheck& station = check->stations.front();
   EXPECT_NEAR(station.direction.s(), 0.70642, 1e-4);
-  EXPECT_EQ(station.direction.dof, 4);
+  EXPECT_EQ(station.direction.degreesOfFreedom, 4);
   EXPECT_NEAR(station.collimation.value, 4.87778, 1e-4);
   EXPECT_NEAR(station.collimation.u, 0.17462, 1e-4);
   EXPECT_TRUE(std::isnan(station.index.value));
-  EXPECT_EQ(station.vertical.dof, 0);
+  EXPECT_EQ(station.vertical.degreesOfFreedom, 0);
   const InstrumentRecord record = checkedRecord(*check, {"T", "1", "2026-03-14", ""});
   EXPECT_EQ(record.known.size(), 1U) << "collimation";
   EXPECT_EQ(record.sigmaVerticalArcsec, "");

@@ -34,8 +34,8 @@ TEST(InstrumentCheck, PoolsByDegreesOfFreedom) {
   const InstrumentCheck check =
       checkInstrument({station("P", {.noise = 1}, 3, 1), station("Q", {.noise = 1}, 7, 2)});
   const StationCheck &p = check.stations[0], &q = check.stations[1];
-  EXPECT_EQ(check.direction.dof, 6 + 18);
-  EXPECT_EQ(check.vertical.dof, 8 + 24);
+  EXPECT_EQ(check.direction.degreesOfFreedom, 6 + 18);
+  EXPECT_EQ(check.vertical.degreesOfFreedom, 8 + 24);
   EXPECT_NEAR(
       check.direction.s(),
       std::sqrt((6 * p.direction.s() * p.direction.s() + 18 * q.direction.s() * q.direction.s()) / 24),
@@ -51,7 +51,7 @@ TEST(InstrumentCheck, TestsAgainstAStatedSigma) {
   const std::vector<StationRounds> rounds{station("P", {.noise = 1}, 9, 4)};
   const InstrumentCheck wide = checkInstrument(rounds, {.sigmaDirection = 2, .sigmaVertical = 2});
   ASSERT_TRUE(wide.directionTest);
-  EXPECT_EQ(wide.direction.dof, 24);
+  EXPECT_EQ(wide.direction.degreesOfFreedom, 24);
   EXPECT_NEAR(wide.directionTest->limit, 2 * 1.2318, 1e-3);
   EXPECT_TRUE(wide.directionTest->isWithin());
   EXPECT_THAT(sentences(wide), HasSubstr("is not significantly larger than the stated 2″"));

@@ -127,7 +127,7 @@ TEST(PartedByGeometry, EvaluatesPlacesOfTheInstrumentOneByOne) {
   ASSERT_EQ(check->stations.size(), 3U);
   EXPECT_EQ(check->stations[0].station, "S (1)");
   EXPECT_EQ(check->stations[2].rounds, 4U);
-  EXPECT_EQ(check->direction.dof, 6 + 3 + 9);
+  EXPECT_EQ(check->direction.degreesOfFreedom, 6 + 3 + 9);
   // 1″ of a reading is 0.71″ of both faces. With 18 degrees of freedom it scatters by 17 %; the tolerance is
   // three times that.
   EXPECT_NEAR(check->direction.s(), 0.71, 0.36);

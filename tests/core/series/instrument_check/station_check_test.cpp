@@ -40,9 +40,9 @@ TEST(StationCheck, IsWhatIsWorkedByHand) {
       checkOf(asGiven({{7200, 7300}, {9000, 9106}}, {{324000, 288000}, {324004, 287998}}));
   EXPECT_EQ(check.targets, 2U);
   EXPECT_EQ(check.rounds, 2U);
-  EXPECT_EQ(check.direction.dof, 1);
+  EXPECT_EQ(check.direction.degreesOfFreedom, 1);
   EXPECT_NEAR(check.direction.s(), 3, 1e-6);  // 1e-6″ is the rounding of angles of a full turn
-  EXPECT_EQ(check.vertical.dof, 2);
+  EXPECT_EQ(check.vertical.degreesOfFreedom, 2);
   EXPECT_NEAR(check.vertical.s(), std::sqrt(5), 1e-6);
   EXPECT_NEAR(check.collimation.value, 0, 1e-6);
   EXPECT_NEAR(check.index.value, 0, 1e-6);
@@ -89,8 +89,8 @@ TEST(StationCheck, AgreesWithPlainLoops) {
     }
     directions -= sum * sum / t;
   }
-  EXPECT_EQ(check.direction.dof, 18);
-  EXPECT_EQ(check.vertical.dof, 24);
+  EXPECT_EQ(check.direction.degreesOfFreedom, 18);
+  EXPECT_EQ(check.vertical.degreesOfFreedom, 24);
   // Angles of a turn are known to 1e-10″, sums of 28 squares of some arcseconds to better than 1e-6.
   EXPECT_NEAR(check.direction.s(), std::sqrt(directions / 18), 1e-6);
   EXPECT_NEAR(check.vertical.s(), std::sqrt(zeniths / 24), 1e-6);
@@ -164,12 +164,12 @@ TEST(StationCheck, StatesTheMoreUsualOfTwoCausesThatLookAlike) {
 
 TEST(StationCheck, HasNoScatterWhereNothingRepeats) {
   const StationCheck oneRound = checkOf(simulatedRounds({.collimation = 3, .noise = 1}, fourTargets, 1, 5));
-  EXPECT_EQ(oneRound.direction.dof, 0);
+  EXPECT_EQ(oneRound.direction.degreesOfFreedom, 0);
   EXPECT_TRUE(std::isnan(oneRound.direction.s()));
-  EXPECT_EQ(oneRound.collimation.dof, 4 - 2) << "collimation and tilt of four pairs";
+  EXPECT_EQ(oneRound.collimation.degreesOfFreedom, 4 - 2) << "collimation and tilt of four pairs";
   const StationCheck oneTarget = checkOf(simulatedRounds({.noise = 1}, {{10, 2}}, 5, 5));
-  EXPECT_EQ(oneTarget.direction.dof, 0);
-  EXPECT_EQ(oneTarget.vertical.dof, 4);
+  EXPECT_EQ(oneTarget.direction.degreesOfFreedom, 0);
+  EXPECT_EQ(oneTarget.vertical.degreesOfFreedom, 4);
   EXPECT_FALSE(std::isnan(oneTarget.vertical.s()));
   const StationCheck one = checkOf(simulatedRounds({.noise = 1}, {{10, 2}}, 1, 5));
   EXPECT_TRUE(std::isnan(one.collimation.u));
@@ -196,16 +196,17 @@ TEST(StationCheck, StatesItsUncertaintyAsItIs) {
     const auto seed = static_cast<std::uint64_t>(1000 + draw);
     const StationCheck plain = checkOf(simulatedRounds(
         {.collimation = 6, .index = 4, .noise = noise, .circleStepDeg = 61}, targets, 4, seed));
-    const auto holds = [](double value, double u, double dof, double truth) {
-      return std::abs(value - truth) <= coverageFactor(0.95, dof) * u ? 1 : 0;
+    const auto holds = [](double value, double u, double degreesOfFreedom, double truth) {
+      return std::abs(value - truth) <= coverageFactor(0.95, degreesOfFreedom) * u ? 1 : 0;
     };
-    collimation += holds(plain.collimation.value, plain.collimation.u, plain.collimation.dof, 6);
-    index += holds(plain.index.value, plain.index.u, plain.index.dof, 4);
+    collimation += holds(plain.collimation.value, plain.collimation.u, plain.collimation.degreesOfFreedom, 6);
+    index += holds(plain.index.value, plain.index.u, plain.index.degreesOfFreedom, 4);
     eccentricity += holds(plain.causes.lineOfSight->other, plain.causes.lineOfSight->uOther,
-                          plain.causes.lineOfSight->dof, 0);
+                          plain.causes.lineOfSight->degreesOfFreedom, 0);
     const StationCheck tilted = checkOf(simulatedRounds(
         {.collimation = 6, .tilt = 15, .noise = noise, .circleStepDeg = 61}, targets, 4, seed));
-    tilt += holds(tilted.causes.tilt->other, tilted.causes.tilt->uOther, tilted.causes.tilt->dof, 15);
+    tilt += holds(tilted.causes.tilt->other, tilted.causes.tilt->uOther, tilted.causes.tilt->degreesOfFreedom,
+                  15);
     ofDirections += plain.direction.s() * plain.direction.s() / draws;
     ofVerticals += plain.vertical.s() * plain.vertical.s() / draws;
   }

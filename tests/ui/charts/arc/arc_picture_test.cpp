@@ -53,8 +53,8 @@ TEST(ArcPicture, RunsAnArcOverAllPositionsOfItsAxis) {
   EXPECT_NEAR(picture.arcs[0].firstAngle * 180 / M_PI, 10, 1);
   EXPECT_NEAR(picture.arcs[0].lastAngle * 180 / M_PI, 170, 1);
   ASSERT_EQ(picture.sightings.size(), 9u + 17 + 9);
-  EXPECT_EQ(picture.sightings.front().time, 1);
-  EXPECT_EQ(picture.sightings.back().time, 2);
+  EXPECT_EQ(picture.sightings.front().repeat, 1);
+  EXPECT_EQ(picture.sightings.back().repeat, 2);
   for (const DrawnSighting& sighting : picture.sightings) EXPECT_TRUE(sighting.adjusted);
 }
 

@@ -210,7 +210,7 @@ TEST(CentresInset, HasTheMeasuredResultAloneInLargeType) {
 
 TEST(CentresInset, ShowsAConditionOrThatThereIsOne) {
   Headline headline = headlineOfPaper();
-  headline.lines.push_back({.kind = Headline::Line::Kind::Knock, .text = "Only if", .isWarning = true});
+  headline.lines.push_back({.kind = Headline::Line::Kind::Jump, .text = "Only if", .isWarning = true});
   int said = 0, marked = 0;
   for (int side = 60; side <= 600; side += 10) {
     CentresInset inset;

@@ -41,9 +41,9 @@ using testing::Not;
 using Ids = std::vector<std::string>;
 
 // Sessions of an independent ray tracer; its truth.json has the simulated effects.
-const char *collimationTrial = "241926", *slipTrial = "251468", *jumpTrial = "358092", *noiseTrial = "573871",
-           *harmonicTrial = "159128", *lobingAndDriftTrial = "629105", *cleanTrial = "827247",
-           *relationTrial = "987447", *sagTrial = "117223", *tiltTrial = "878035";
+const char *collimationTrial = "241926", *misreadTrial = "251468", *jumpTrial = "358092",
+           *noiseTrial = "573871", *harmonicTrial = "159128", *lobingAndDriftTrial = "629105",
+           *cleanTrial = "827247", *relationTrial = "987447", *sagTrial = "117223", *tiltTrial = "878035";
 
 QString trialPath(const char* name) {
   return QStringLiteral(ALIDADE_REFERENCE_DIR "/trials/sessions/%1.alidade").arg(QString::fromLatin1(name));
@@ -111,7 +111,7 @@ TEST_P(GapVerdict, IsTheTruthOfTheTrial) {
 INSTANTIATE_TEST_SUITE_P(Trials, GapVerdict,
                          testing::Values(Expected{sagTrial, "One cause: gravity sag"},
                                          Expected{collimationTrial, "One of 2 causes indistinguishable here"},
-                                         Expected{slipTrial, "One cause: misread values"},
+                                         Expected{misreadTrial, "One cause: misread values"},
                                          Expected{jumpTrial, "One cause: a jump of the orientation"},
                                          Expected{noiseTrial, "One cause: noise larger than stated"},
                                          Expected{harmonicTrial, "A gap of no known cause"},
@@ -345,7 +345,7 @@ TEST(Gap, SetsTheVerticalAngleRelationRight) {
 }
 
 TEST(Gap, LeadsToAMisreadValueAndExcludesItsRow) {
-  GapBench bench(slipTrial);
+  GapBench bench(misreadTrial);
   EXPECT_THAT(bench.shown(), HasSubstr("0°, point 11, horizontal: off by +29.1″\n"));
   EXPECT_FALSE(bench.button("add ticked"));
   bench.press("go to reading");
@@ -616,7 +616,7 @@ TEST(Gap, NothingIsCalledSoundBesideAReadingThatLooksMisread) {
   findings.setGap({});
   ASSERT_EQ(findings.count(), 1);
   EXPECT_EQ(findings.item(0)->text(), QStringLiteral("No problems."));
-  evaluation.suspects = evaluate(*loadSession(trialPath(slipTrial).toStdString())).suspects;
+  evaluation.suspects = evaluate(*loadSession(trialPath(misreadTrial).toStdString())).suspects;
   ASSERT_FALSE(evaluation.suspects.empty());
   findings.setGapStale();
   EXPECT_EQ(findings.count(), 1) << "until something else is known";
@@ -638,7 +638,7 @@ TEST(Gap, AProblemThatIsMendedIsNoLongerListedWhileTheDiagnosisIsAtWork) {
 }
 
 TEST(Gap, PartsAddUpToOne) {
-  for (const char* trial : {collimationTrial, slipTrial, harmonicTrial}) {
+  for (const char* trial : {collimationTrial, misreadTrial, harmonicTrial}) {
     const auto session = loadSession(trialPath(trial).toStdString());
     const Gap gap = assessGap(std::make_shared<const Evaluation>(evaluateFit(*session)));
     std::map<std::string, double> sums;

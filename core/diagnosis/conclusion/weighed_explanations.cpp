@@ -1,4 +1,4 @@
-#include "core/diagnosis/conclusion/accounts.h"
+#include "core/diagnosis/conclusion/weighed_explanations.h"
 
 #include <Eigen/Cholesky>
 #include <algorithm>
@@ -71,7 +71,7 @@ double logDeterminant(const Eigen::LDLT<MatrixXd>& factor) {
 
 /// The normal equations of an explanation: its own columns, and the effects' columns after elimination of the
 /// own ones.
-struct Accounts::System {
+struct WeighedExplanations::System {
   const Explanation* explanation = nullptr;
   std::vector<const Columns*> own = {};
   Eigen::LDLT<MatrixXd> factor = {};  ///< factor of the own columns' normal matrix
@@ -85,7 +85,7 @@ struct Accounts::System {
   int leftOut = 0;  ///< number of excluded readings
 };
 
-Accounts::Accounts(const Inquiry& inquiry)
+WeighedExplanations::WeighedExplanations(const Inquiry& inquiry)
     : m_inquiry(inquiry),
       m_perReading(influencePerSigma(inquiry.base)),
       m_ofReadings(varianceOfReadings(inquiry.leftover, m_perReading)),
@@ -94,24 +94,25 @@ Accounts::Accounts(const Inquiry& inquiry)
   addEffects();
 }
 
-void Accounts::alsoAt(const GapModel& at, const Explanation& explanation, const EffectScales& scales) {
+void WeighedExplanations::alsoAt(const GapModel& at, const Explanation& explanation,
+                                 const EffectScales& scales) {
   const std::optional<IntersectionEstimate> estimate = estimateOf(at);
   if (!estimate || !at.fit->converged() || at.noise != 1 || isLarge(*m_inquiry.base.measurement)) return;
-  auto own = std::make_shared<Accounts>(m_inquiry);
+  auto own = std::make_shared<WeighedExplanations>(m_inquiry);
   own->m_own.emplace(leftoverAt(m_inquiry.base, at, m_terms));
   for (const EstimatedTerm& term : allOrNothingTerms(at)) own->m_allOrNothing.push_back(term.term);
   own->m_start = 0;
   own->addEffects();
   const std::optional<System> system = own->systemOf(explanation);
   if (!system) return;
-  own->m_start = estimate->value - own->accountOf(*system, scales).value;
+  own->m_start = estimate->value - own->weighedAt(*system, scales).value;
   // A base without large causes is far from `at`. This shift makes its Δd agree with that of `at`.
   if (const std::optional<System> here = systemOf(explanation))
-    m_start += estimate->value - accountOf(*here, scales).value;
+    m_start += estimate->value - weighedAt(*here, scales).value;
   m_at = std::move(own);
 }
 
-void Accounts::addEffects() {
+void WeighedExplanations::addEffects() {
   for (const EstimatedTerm& term : m_terms)
     m_effects.push_back(effectOf(term.term, *m_inquiry.base.measurement));
   m_gram = isLarge(*m_inquiry.base.measurement) ? gramOfMany() : gramOfColumns();
@@ -119,7 +120,7 @@ void Accounts::addEffects() {
   m_influence = productsOfEffects(m_perReading);
 }
 
-MatrixXd Accounts::gramOfColumns() const {
+MatrixXd WeighedExplanations::gramOfColumns() const {
   MatrixXd columns(leftover().readings(), std::ssize(m_terms));
   Index column = 0;
   for (const EstimatedTerm& term : m_terms)
@@ -129,7 +130,7 @@ MatrixXd Accounts::gramOfColumns() const {
 }
 
 /// Avoids a matrix of all columns, which would fill the memory in a large session.
-MatrixXd Accounts::gramOfMany() const {
+MatrixXd WeighedExplanations::gramOfMany() const {
   const std::vector<EstimatedTerm>& along = m_inquiry.base.options.terms;
   std::vector<ErrorTerm> all;
   for (const EstimatedTerm& term : m_terms) all.push_back(term.term);
@@ -143,7 +144,7 @@ MatrixXd Accounts::gramOfMany() const {
   });
 }
 
-VectorXd Accounts::productsOfEffects(const VectorXd& overReadings) const {
+VectorXd WeighedExplanations::productsOfEffects(const VectorXd& overReadings) const {
   const VectorXd products = leftover().productsOfTerms(overReadings);
   return VectorXd::NullaryExpr(static_cast<Index>(m_terms.size()), [&](Index i) {
     const EstimatedTerm& term = m_terms[static_cast<std::size_t>(i)];
@@ -151,7 +152,7 @@ VectorXd Accounts::productsOfEffects(const VectorXd& overReadings) const {
   });
 }
 
-const Accounts::Columns& Accounts::columnsOf(const Part& part) {
+const WeighedExplanations::Columns& WeighedExplanations::columnsOf(const Part& part) {
   const auto [entry, isNew] = m_columns.try_emplace(part.component);
   Columns& columns = entry->second;
   if (!isNew) return columns;
@@ -169,7 +170,7 @@ const Accounts::Columns& Accounts::columnsOf(const Part& part) {
   return columns;
 }
 
-std::optional<Accounts::System> Accounts::systemOf(const Explanation& explanation) {
+std::optional<WeighedExplanations::System> WeighedExplanations::systemOf(const Explanation& explanation) {
   const auto effects = static_cast<Index>(m_terms.size());
   System system{.explanation = &explanation,
                 .leastWidths = VectorXd::Zero(effects),
@@ -243,13 +244,13 @@ std::optional<Accounts::System> Accounts::systemOf(const Explanation& explanatio
   return isFinite ? std::optional(system) : std::nullopt;
 }
 
-VectorXd Accounts::widthsOf(const System& system, const EffectScales& scales) const {
+VectorXd WeighedExplanations::widthsOf(const System& system, const EffectScales& scales) const {
   return VectorXd::NullaryExpr(static_cast<Index>(m_terms.size()), [&](Index i) {
     return std::max(scales.of(*m_effects[static_cast<std::size_t>(i)]), system.leastWidths[i]);
   });
 }
 
-Account Accounts::accountOf(const System& system, const EffectScales& scales) const {
+WeighedExplanation WeighedExplanations::weighedAt(const System& system, const EffectScales& scales) const {
   const double v = system.ofNoise;
   const VectorXd widths = widthsOf(system, scales);
   MatrixXd matrix = system.effects;
@@ -281,43 +282,44 @@ Account Accounts::accountOf(const System& system, const EffectScales& scales) co
           std::vector<double>(ofEffects.begin(), ofEffects.end())};
 }
 
-std::vector<Account> Accounts::of(const Explanation& explanation) {
+std::vector<WeighedExplanation> WeighedExplanations::of(const Explanation& explanation) {
   const std::optional<System> system = systemOf(explanation);
   const std::optional<System> there = m_at ? m_at->systemOf(explanation) : std::nullopt;
   if (!system && !there) return {};
-  // The posterior odds of the search hold without effects: the evidence of an account replaces `alone`.
-  const double alone = (system ? accountOf(*system, noEffect) : m_at->accountOf(*there, noEffect)).logOdds;
+  // The posterior odds of the search hold without effects: the evidence of an explanation replaces `alone`.
+  const double alone = (system ? weighedAt(*system, noEffect) : m_at->weighedAt(*there, noEffect)).logOdds;
   // Uses the linearisation that makes the explanation likelier, with effects of plausible size.
   const bool isThere =
-      there && (!system || m_at->accountOf(*there, {}).logOdds > accountOf(*system, {}).logOdds);
-  std::vector<Account> accounts;
+      there && (!system || m_at->weighedAt(*there, {}).logOdds > weighedAt(*system, {}).logOdds);
+  std::vector<WeighedExplanation> explanations;
   for (const auto& [scales, probability] : possibleScales()) {
-    Account account = isThere ? m_at->accountOf(*there, scales) : accountOf(*system, scales);
-    account.logOdds += explanation.logPosteriorOdds - alone + std::log(probability);
-    if (!std::isfinite(account.logOdds) || !std::isfinite(account.value) || !std::isfinite(account.variance))
+    WeighedExplanation weighed = isThere ? m_at->weighedAt(*there, scales) : weighedAt(*system, scales);
+    weighed.logOdds += explanation.logPosteriorOdds - alone + std::log(probability);
+    if (!std::isfinite(weighed.logOdds) || !std::isfinite(weighed.value) || !std::isfinite(weighed.variance))
       continue;
-    accounts.push_back(std::move(account));
+    explanations.push_back(std::move(weighed));
   }
-  return accounts;
+  return explanations;
 }
 
-std::optional<Account> Accounts::of(const Explanation& explanation, const EffectScales& scales) {
+std::optional<WeighedExplanation> WeighedExplanations::of(const Explanation& explanation,
+                                                          const EffectScales& scales) {
   if (m_at)
     if (const auto there = m_at->of(explanation, scales)) return there;
   const std::optional<System> system = systemOf(explanation);
   if (!system) return std::nullopt;
-  return accountOf(*system, scales);
+  return weighedAt(*system, scales);
 }
 
-std::optional<double> Accounts::logEvidenceOf(const Explanation& explanation, const Part& more) {
+std::optional<double> WeighedExplanations::logEvidenceOf(const Explanation& explanation, const Part& more) {
   Explanation with = explanation;
   with.parts.push_back(more);
-  const std::optional<Account> before = of(explanation, noEffect), after = of(with, noEffect);
+  const std::optional<WeighedExplanation> before = of(explanation, noEffect), after = of(with, noEffect);
   if (!before || !after) return std::nullopt;
   return after->logOdds - before->logOdds;
 }
 
-VectorXd Accounts::takenByPattern(const Explanation& explanation, const EffectScales& scales) {
+VectorXd WeighedExplanations::takenByPattern(const Explanation& explanation, const EffectScales& scales) {
   const std::optional<System> system = systemOf(explanation);
   VectorXd taken = VectorXd::Zero(leftover().readings());
   if (!system || !explanation.shaped) return taken;

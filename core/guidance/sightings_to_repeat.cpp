@@ -1,4 +1,4 @@
-#include "core/guidance/repeats.h"
+#include "core/guidance/sightings_to_repeat.h"
 
 #include <algorithm>
 #include <cmath>
@@ -41,8 +41,9 @@ struct Difference {
 
 /// Finds the differences that deviate beyond the noise from their median, or from 0 unless `aboutMedian`. The
 /// noise is the stated one, or the observed scatter if larger.
-std::vector<Repeat> farOnes(const std::vector<Difference>& differences, Repeat::Reason reason,
-                            std::optional<ReadingKind> kind, bool aboutMedian) {
+std::vector<SightingsToRepeat> farOnes(const std::vector<Difference>& differences,
+                                       SightingsToRepeat::Reason reason, std::optional<ReadingKind> kind,
+                                       bool aboutMedian) {
   if (differences.empty()) return {};
   std::vector<double> values;
   for (const Difference& difference : differences) values.push_back(difference.value);
@@ -53,16 +54,16 @@ std::vector<Repeat> farOnes(const std::vector<Difference>& differences, Repeat::
   const double scale = values.size() < 3 ? 1 : std::max(1.0, medianOf(values) / madOfNormal);
   const double limit =
       coverageFactor(1 - risk / static_cast<double>(values.size()), DegreesOfFreedom::infinite());
-  std::vector<Repeat> repeats;
+  std::vector<SightingsToRepeat> allToRepeat;
   for (std::size_t i = 0; i < values.size(); ++i) {
     if (!(values[i] > limit * scale)) continue;
-    repeats.push_back({.reason = reason,
-                       .sightings = differences[i].sightings,
-                       .kind = kind,
-                       .size = (differences[i].value - middle) * differences[i].sigma,
-                       .sigmas = values[i] / scale});
+    allToRepeat.push_back({.reason = reason,
+                           .sightings = differences[i].sightings,
+                           .kind = kind,
+                           .size = (differences[i].value - middle) * differences[i].sigma,
+                           .sigmas = values[i] / scale});
   }
-  return repeats;
+  return allToRepeat;
 }
 
 class Comparison {
@@ -76,12 +77,12 @@ class Comparison {
     }
   }
 
-  std::vector<Repeat> repeats() {
+  std::vector<SightingsToRepeat> allToRepeat() {
     misread();
     zeros();
     faces();
     ways();
-    return std::move(m_repeats);
+    return std::move(m_allToRepeat);
   }
 
  private:
@@ -95,11 +96,11 @@ class Comparison {
     for (const Suspect& suspect : m_fitted.suspects) {
       const auto index = indexOf(*suspect.where.position, *suspect.where.reading);
       if (!index || !m_named.insert(*index).second) continue;
-      m_repeats.push_back({.reason = Repeat::Reason::Misread,
-                           .sightings = {*index},
-                           .kind = suspect.kind,
-                           .size = suspect.size.arcseconds(),
-                           .sigmas = std::abs(suspect.studentised)});
+      m_allToRepeat.push_back({.reason = SightingsToRepeat::Reason::Misread,
+                               .sightings = {*index},
+                               .kind = suspect.kind,
+                               .size = suspect.size.arcseconds(),
+                               .sigmas = std::abs(suspect.studentised)});
     }
   }
 
@@ -110,17 +111,17 @@ class Comparison {
       const double across = moved->horizontal.radians() / moved->sigmaHorizontal.radians(),
                    up = moved->vertical.radians() / moved->sigmaVertical.radians();
       const bool isAcross = std::abs(across) >= std::abs(up);
-      Repeat repeat{.reason = Repeat::Reason::ZeroMoved,
-                    .kind = isAcross ? ReadingKind::Horizontal : ReadingKind::Vertical,
-                    .size = (isAcross ? moved->horizontal : moved->vertical).arcseconds(),
-                    .sigmas = std::abs(isAcross ? across : up)};
+      SightingsToRepeat toRepeat{.reason = SightingsToRepeat::Reason::ZeroMoved,
+                                 .kind = isAcross ? ReadingKind::Horizontal : ReadingKind::Vertical,
+                                 .size = (isAcross ? moved->horizontal : moved->vertical).arcseconds(),
+                                 .sigmas = std::abs(isAcross ? across : up)};
       for (std::size_t i = 0; i < m_progress.sightings.size(); ++i) {
         const FollowedSighting& followed = m_progress.sightings[i];
         if (followed.planned.isZero && followed.planned.isAfter &&
             followed.position == finding.where.position && followed.state == SightingState::Taken)
-          repeat.sightings.push_back(i);
+          toRepeat.sightings.push_back(i);
       }
-      if (!repeat.sightings.empty()) m_repeats.push_back(std::move(repeat));
+      if (!toRepeat.sightings.empty()) m_allToRepeat.push_back(std::move(toRepeat));
     }
   }
 
@@ -139,8 +140,8 @@ class Comparison {
       horizontal.push_back({sightings, visit.fromCourse.arcseconds() / sigmaOfTwo, sigmaOfTwo});
       vertical.push_back({sightings, visit.index.arcseconds() / sigmaOfIndex, sigmaOfIndex});
     }
-    addUnnamed(farOnes(horizontal, Repeat::Reason::FacesDisagree, ReadingKind::Horizontal, true));
-    addUnnamed(farOnes(vertical, Repeat::Reason::FacesDisagree, ReadingKind::Vertical, true));
+    addUnnamed(farOnes(horizontal, SightingsToRepeat::Reason::FacesDisagree, ReadingKind::Horizontal, true));
+    addUnnamed(farOnes(vertical, SightingsToRepeat::Reason::FacesDisagree, ReadingKind::Vertical, true));
   }
 
   /// The deviation of a visit from the circle, arcseconds outward, with σ.
@@ -190,17 +191,17 @@ class Comparison {
         differences.push_back(std::move(difference));
       }
     }
-    addUnnamed(farOnes(differences, Repeat::Reason::WaysDisagree, {}, false));
+    addUnnamed(farOnes(differences, SightingsToRepeat::Reason::WaysDisagree, {}, false));
   }
 
   /// Adds the repeats without a sighting that is already named, the largest deviation in σ first.
-  void addUnnamed(std::vector<Repeat> repeats) {
-    std::ranges::sort(repeats, std::greater{}, &Repeat::sigmas);
-    for (Repeat& repeat : repeats) {
+  void addUnnamed(std::vector<SightingsToRepeat> allToRepeat) {
+    std::ranges::sort(allToRepeat, std::greater{}, &SightingsToRepeat::sigmas);
+    for (SightingsToRepeat& toRepeat : allToRepeat) {
       const auto isNamed = [&](std::size_t index) { return m_named.contains(index); };
-      if (std::ranges::any_of(repeat.sightings, isNamed)) continue;
-      m_named.insert(repeat.sightings.begin(), repeat.sightings.end());
-      m_repeats.push_back(std::move(repeat));
+      if (std::ranges::any_of(toRepeat.sightings, isNamed)) continue;
+      m_named.insert(toRepeat.sightings.begin(), toRepeat.sightings.end());
+      m_allToRepeat.push_back(std::move(toRepeat));
     }
   }
 
@@ -208,13 +209,14 @@ class Comparison {
   const ProtocolProgress& m_progress;
   std::map<std::pair<std::size_t, std::size_t>, std::size_t> m_indices;  ///< by position and row
   std::set<std::size_t> m_named;
-  std::vector<Repeat> m_repeats;
+  std::vector<SightingsToRepeat> m_allToRepeat;
 };
 
 }  // namespace
 
-std::vector<Repeat> repeatsOf(const FittedSession& fitted, const ProtocolProgress& progress) {
-  return Comparison(fitted, progress).repeats();
+std::vector<SightingsToRepeat> sightingsToRepeat(const FittedSession& fitted,
+                                                 const ProtocolProgress& progress) {
+  return Comparison(fitted, progress).allToRepeat();
 }
 
 }  // namespace alidade

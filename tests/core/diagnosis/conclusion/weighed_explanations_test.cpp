@@ -1,4 +1,4 @@
-#include "core/diagnosis/conclusion/accounts.h"
+#include "core/diagnosis/conclusion/weighed_explanations.h"
 
 #include <gtest/gtest.h>
 
@@ -25,25 +25,25 @@ TEST(Accounts, AgreeWithAFitOfEveryEffect) {
   for (const test::Trial& trial : test::trials()) {
     const Inquiry inquiry = inquire(*modelOf(test::withTimes(trial.measurement)), {}, {});
     if (!inquiry.largeGrossErrors.empty()) continue;
-    Accounts accounts(inquiry);
-    EXPECT_EQ(accounts.effects().size() + inquiry.base.options.terms.size(),
+    WeighedExplanations weighed(inquiry);
+    EXPECT_EQ(weighed.effects().size() + inquiry.base.options.terms.size(),
               everyEffect(trial.measurement).size());
     const auto base = estimateOf(withEveryEffect(inquiry.base));
-    const Account ofNothing = *accounts.of({}, asPlausible);
+    const WeighedExplanation ofNothing = *weighed.of({}, asPlausible);
     const auto isReading = [&](const Part& part) { return inquiry.of(part).grossErrorAt().has_value(); };
     const auto isBent = [&](const Part& part) { return inquiry.of(part).response() != Response::Linear; };
     for (const Explanation& explanation : inquiry.explanations) {
       if (explanation.shaped || explanation.noisy || explanation.chance < 0.01 ||
           std::ranges::any_of(explanation.parts, isReading) || std::ranges::any_of(explanation.parts, isBent))
         continue;
-      const std::optional<Account> account = accounts.of(explanation, asPlausible);
-      ASSERT_TRUE(account) << trial.id;
+      const std::optional<WeighedExplanation> one = weighed.of(explanation, asPlausible);
+      ASSERT_TRUE(one) << trial.id;
       const auto fitted = estimateOf(
           withEveryEffect(modelWith(inquiry.base, explanation, inquiry.candidates, inquiry.leftover)));
       const double shift = fitted->value - base->value;
-      EXPECT_NEAR(account->value - ofNothing.value, shift, 0.05 * fitted->sigma + 0.02 * std::abs(shift))
+      EXPECT_NEAR(one->value - ofNothing.value, shift, 0.05 * fitted->sigma + 0.02 * std::abs(shift))
           << trial.id;
-      const double variance = base->sigma * base->sigma + account->variance - ofNothing.variance;
+      const double variance = base->sigma * base->sigma + one->variance - ofNothing.variance;
       // If the readings have a large misfit, zeros do not scatter like them.
       if (noiseScale(*inquiry.base.fit).factor < 2) {
         EXPECT_NEAR(std::sqrt(variance) / fitted->sigma, 1, 0.1) << trial.id;
@@ -54,14 +54,14 @@ TEST(Accounts, AgreeWithAFitOfEveryEffect) {
   EXPECT_GT(compared, 50);
 }
 
-// Without other effects an account of known widths has the evidence that the search found. It sums over
+// Without other effects an explanation of known widths has the evidence that the search found. It sums over
 // widths of which the most likely has at least a quarter: ln 4 for each part.
 TEST(Accounts, HaveTheEvidenceOfTheSearch) {
   int compared = 0;
   for (const test::Trial& trial : test::trials()) {
     const Inquiry inquiry = inquire(*modelOf(test::withTimes(trial.measurement)), {}, {});
-    Accounts accounts(inquiry);
-    const double nothing = accounts.of({}, noEffect)->logOdds;
+    WeighedExplanations weighed(inquiry);
+    const double nothing = weighed.of({}, noEffect)->logOdds;
     for (const Explanation& explanation : inquiry.explanations) {
       const auto isPlain = [&](const Part& part) {
         const Component& component = inquiry.of(part);
@@ -71,7 +71,7 @@ TEST(Accounts, HaveTheEvidenceOfTheSearch) {
       if (explanation.noisy || explanation.parts.empty() || !std::ranges::all_of(explanation.parts, isPlain))
         continue;
       const double difference =
-          accounts.of(explanation, noEffect)->logOdds - nothing - explanation.logBayesFactor;
+          weighed.of(explanation, noEffect)->logOdds - nothing - explanation.logBayesFactor;
       EXPECT_NEAR(difference, 0, std::log(4.0) * static_cast<double>(explanation.parts.size()) + 0.1)
           << trial.id;
       ++compared;
@@ -91,9 +91,9 @@ Session sessionWith(const char* plan, double sizes) {
 
 EffectScales likeliestIn(const Session& session) {
   const Inquiry inquiry = inquire(*modelOf(*examine(session).measurement), {}, {});
-  Accounts accounts(inquiry);
-  accounts.alsoAt(withEveryEffect(inquiry.base), {}, {});
-  return std::ranges::max(accounts.of({}), {}, &Account::logOdds).scales;
+  WeighedExplanations weighed(inquiry);
+  weighed.alsoAt(withEveryEffect(inquiry.base), {}, {});
+  return std::ranges::max(weighed.of({}), {}, &WeighedExplanation::logOdds).scales;
 }
 
 // The readings determine the common scale of the effects.

@@ -23,7 +23,7 @@ namespace alidade {
 // columns by the Schur complement.
 
 /// An explanation together with every effect, whose prior widths are `scales` plausible sizes.
-struct Account {
+struct WeighedExplanation {
   EffectScales scales;
   double logOdds = 0;   ///< natural logarithm of prior odds × evidence, relative to no cause and no effect
   double value = 0;     ///< Δd, mm
@@ -33,22 +33,22 @@ struct Account {
   std::vector<double> ofEffects = {};  ///< variance from the prior of each effect, mm²
 };
 
-class Accounts {
+class WeighedExplanations {
  public:
   /// Linearises at the inquiry's base.
-  explicit Accounts(const Inquiry& inquiry);
+  explicit WeighedExplanations(const Inquiry& inquiry);
   /// Linearises also at `at`, a fit of the base with `explanation` and every effect at `scales`. Each
   /// explanation then uses the linearisation that makes it likelier, with Δd shifted to agree with that fit.
   /// Does nothing for a large session, or if `at` has larger noise or no Δd.
   void alsoAt(const GapModel& at, const Explanation& explanation, const EffectScales& scales);
 
-  /// The terms of the effects, in the order of `Account::ofEffects`.
+  /// The terms of the effects, in the order of `WeighedExplanation::ofEffects`.
   const std::vector<EstimatedTerm>& effects() const { return m_terms; }
-  /// One account for each of `possibleScales`, with its probability. Empty if the all-or-nothing effects of
-  /// the explanation differ from those in the fit.
-  std::vector<Account> of(const Explanation& explanation);
-  /// The account with these scales; their prior probability does not count.
-  std::optional<Account> of(const Explanation& explanation, const EffectScales& scales);
+  /// One result for each of `possibleScales`, with its probability. Empty if the all-or-nothing effects
+  /// of the explanation differ from those in the fit.
+  std::vector<WeighedExplanation> of(const Explanation& explanation);
+  /// The result with these scales; their prior probability does not count.
+  std::optional<WeighedExplanation> of(const Explanation& explanation, const EffectScales& scales);
   /// Log evidence (natural) for one more component of an explanation, at its plausible size and without
   /// further effects.
   std::optional<double> logEvidenceOf(const Explanation& explanation, const Part& more);
@@ -65,15 +65,15 @@ class Accounts {
   struct System;
 
   const Inquiry& m_inquiry;
-  std::optional<Leftover> m_own;          ///< leftover at another fit; absent: use that of the inquiry
-  std::shared_ptr<Accounts> m_at;         ///< the second linearisation; null: none
-  std::vector<ErrorTerm> m_allOrNothing;  ///< all-or-nothing terms in the fit of `m_own`
-  double m_start = 0;                     ///< Δd without causes and effects, mm
-  Eigen::VectorXd m_perReading;           ///< ∂Δd/∂reading, mm per σ
-  double m_ofReadings = 0;                ///< variance of Δd by the readings alone, mm²
-  std::vector<EstimatedTerm> m_terms;     ///< terms of the effects, at their plausible sizes
-  std::vector<const Effect*> m_effects;   ///< effect of each term
-  Eigen::MatrixXd m_gram;                 ///< Gram matrix of the visible columns of `m_terms`
+  std::optional<Leftover> m_own;              ///< leftover at another fit; absent: use that of the inquiry
+  std::shared_ptr<WeighedExplanations> m_at;  ///< the second linearisation; null: none
+  std::vector<ErrorTerm> m_allOrNothing;      ///< all-or-nothing terms in the fit of `m_own`
+  double m_start = 0;                         ///< Δd without causes and effects, mm
+  Eigen::VectorXd m_perReading;               ///< ∂Δd/∂reading, mm per σ
+  double m_ofReadings = 0;                    ///< variance of Δd by the readings alone, mm²
+  std::vector<EstimatedTerm> m_terms;         ///< terms of the effects, at their plausible sizes
+  std::vector<const Effect*> m_effects;       ///< effect of each term
+  Eigen::MatrixXd m_gram;                     ///< Gram matrix of the visible columns of `m_terms`
   Eigen::VectorXd m_right, m_influence;
   std::map<std::size_t, Columns> m_columns;
 
@@ -83,8 +83,8 @@ class Accounts {
   Eigen::MatrixXd gramOfMany() const;
   const Columns& columnsOf(const Part& part);
   std::optional<System> systemOf(const Explanation& explanation);
-  /// `Account::logOdds` of the result is the logarithm of the evidence alone.
-  Account accountOf(const System& system, const EffectScales& scales) const;
+  /// `WeighedExplanation::logOdds` of the result is the logarithm of the evidence alone.
+  WeighedExplanation weighedAt(const System& system, const EffectScales& scales) const;
   /// Prior widths (1σ) of the effects' weights, in plausible sizes.
   Eigen::VectorXd widthsOf(const System& system, const EffectScales& scales) const;
   Eigen::VectorXd productsOfEffects(const Eigen::VectorXd& overReadings) const;

@@ -7,7 +7,7 @@
 namespace alidade {
 
 /// The errors people make when they read a circle or type what was read.
-enum class EntrySlip {
+enum class EntryError {
   DigitsSwapped,    ///< two adjacent digits
   OneDigitWrong,    ///< one digit
   DegreeOff,        ///< one degree too many or too few, with carries
@@ -19,19 +19,19 @@ enum class EntrySlip {
   NeighbouringRow,  ///< readings in each other's row
 };
 
-/// The share of this kind among all slips; the shares of all kinds add up to 1.
-double slipShare(EntrySlip slip);
+/// The share of this kind among all entry errors; the shares of all kinds add up to 1.
+double entryErrorShare(EntryError error);
 
 /// A text that may have been intended.
 struct IntendedText {
-  EntrySlip slip = EntrySlip::OneDigitWrong;  ///< the more probable one if two lead to the same text
-  std::string text;                           ///< in the style of the typed one
-  double prior = 0;                           ///< the kind's share divided by the number of its texts
+  EntryError error = EntryError::OneDigitWrong;  ///< the more probable one if two lead to the same text
+  std::string text;                              ///< in the style of the typed one
+  double prior = 0;                              ///< the kind's share divided by the number of its texts
 };
 
-/// The possible intended texts of an angle, one slip away from the typed text; each once, without the typed
-/// one. Texts may be out of range. Errors of a degree, of minutes or of ten seconds need a text in degrees,
-/// minutes and seconds; other texts only have digits changed.
+/// The possible intended texts of an angle, one entry error away from the typed text; each once, without the
+/// typed one. Texts may be out of range. Errors of a degree, of minutes or of ten seconds need a text in
+/// degrees, minutes and seconds; other texts only have digits changed.
 std::vector<IntendedText> intendedTexts(std::string_view typed);
 
 }  // namespace alidade

@@ -8,7 +8,7 @@ namespace alidade {
 
 /// The joint residuals of the arcs at one axis angle, which share centre and radius; like `ArcFit` for one
 /// arc.
-struct AxisMisfit {
+struct AxisResidualSum {
   std::size_t sightings = 0;
   int degreesOfFreedom = 0;
   double chiSquare = 0;
@@ -17,6 +17,6 @@ struct AxisMisfit {
   double reducedChiSquare() const { return degreesOfFreedom > 0 ? chiSquare / degreesOfFreedom : 0; }
 };
 
-AxisMisfit misfitAt(const SessionFit& fit, int axisDeg);
+AxisResidualSum residualSumAt(const SessionFit& fit, int axisDeg);
 
 }  // namespace alidade

@@ -1,4 +1,4 @@
-#include "core/adjustment/result/axis_misfit.h"
+#include "core/adjustment/result/axis_residual_sum.h"
 
 #include <gtest/gtest.h>
 
@@ -13,14 +13,14 @@ namespace {
 TEST(AxisMisfit, IsThatOfItsArcWhereThereIsOne) {
   const SessionFit fit = fitSession(test::paperMeasurement());
   for (const int axisDeg : {0, 180}) {
-    const AxisMisfit misfit = misfitAt(fit, axisDeg);
+    const AxisResidualSum sum = residualSumAt(fit, axisDeg);
     const ArcFit& arc = *fit.arcAt(axisDeg);
-    EXPECT_EQ(misfit.sightings, 17u);
-    EXPECT_EQ(misfit.degreesOfFreedom, arc.degreesOfFreedom);
-    EXPECT_DOUBLE_EQ(misfit.chiSquare, arc.chiSquare);
-    EXPECT_DOUBLE_EQ(misfit.residualRms, arc.residualRms);
+    EXPECT_EQ(sum.sightings, 17u);
+    EXPECT_EQ(sum.degreesOfFreedom, arc.degreesOfFreedom);
+    EXPECT_DOUBLE_EQ(sum.chiSquare, arc.chiSquare);
+    EXPECT_DOUBLE_EQ(sum.residualRms, arc.residualRms);
   }
-  EXPECT_EQ(misfitAt({}, 0).sightings, 0u);
+  EXPECT_EQ(residualSumAt({}, 0).sightings, 0u);
 }
 
 /// Each sighting has two readings and one place; both arcs at 0° share centre and radius, three numbers.
@@ -28,7 +28,7 @@ TEST(AxisMisfit, CountsWhatTheArcsOfAnAxisShareOnce) {
   Session session = test::paperSession();
   session.positions.push_back(session.positions.front());
   const SessionFit fit = fitSession(*examine(session).measurement);
-  const AxisMisfit upper = misfitAt(fit, 0), lower = misfitAt(fit, 180);
+  const AxisResidualSum upper = residualSumAt(fit, 0), lower = residualSumAt(fit, 180);
   EXPECT_EQ(upper.sightings, 34u);
   EXPECT_EQ(upper.degreesOfFreedom, 34 - 3);
   EXPECT_EQ(lower.degreesOfFreedom, 17 - 3);

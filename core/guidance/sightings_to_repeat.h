@@ -14,7 +14,7 @@
 namespace alidade {
 
 /// Sightings that should be repeated, and why.
-struct Repeat {
+struct SightingsToRepeat {
   enum class Reason {
     Misread,        ///< disagrees with the others (`Suspect`)
     FacesDisagree,  ///< the difference of the faces deviates from that of other visits
@@ -39,6 +39,7 @@ struct FittedSession {
 
 /// A disagreement of faces or rounds is omitted if one of its sightings is already named, for example as
 /// misread. Before a fit, only disagreeing faces are found.
-std::vector<Repeat> repeatsOf(const FittedSession& fitted, const ProtocolProgress& progress);
+std::vector<SightingsToRepeat> sightingsToRepeat(const FittedSession& fitted,
+                                                 const ProtocolProgress& progress);
 
 }  // namespace alidade

@@ -1,4 +1,4 @@
-#include "core/adjustment/gross_errors/entry_slips.h"
+#include "core/adjustment/gross_errors/entry_errors.h"
 
 #include <algorithm>
 #include <array>
@@ -12,22 +12,22 @@ namespace alidade {
 
 namespace {
 
-struct KnownSlip {
-  EntrySlip slip;
+struct KnownEntryError {
+  EntryError error;
   double share;
 };
 
 /// Rough shares: what matters is that every kind remains possible.
-constexpr std::array<KnownSlip, 9> slips = {{
-    {EntrySlip::DigitsSwapped, 0.20},
-    {EntrySlip::OneDigitWrong, 0.25},
-    {EntrySlip::DegreeOff, 0.08},
-    {EntrySlip::TenMinutesOff, 0.08},
-    {EntrySlip::MinuteOff, 0.08},
-    {EntrySlip::TenSecondsOff, 0.08},
-    {EntrySlip::CirclesSwapped, 0.06},
-    {EntrySlip::WrongFace, 0.08},
-    {EntrySlip::NeighbouringRow, 0.09},
+constexpr std::array<KnownEntryError, 9> entryErrors = {{
+    {EntryError::DigitsSwapped, 0.20},
+    {EntryError::OneDigitWrong, 0.25},
+    {EntryError::DegreeOff, 0.08},
+    {EntryError::TenMinutesOff, 0.08},
+    {EntryError::MinuteOff, 0.08},
+    {EntryError::TenSecondsOff, 0.08},
+    {EntryError::CirclesSwapped, 0.06},
+    {EntryError::WrongFace, 0.08},
+    {EntryError::NeighbouringRow, 0.09},
 }};
 
 /// The places of the digits of degrees, minutes and seconds in a text.
@@ -95,16 +95,16 @@ class Collector {
  public:
   explicit Collector(std::string_view typed) : m_typed(typed) {}
 
-  void add(EntrySlip slip, const std::vector<std::string>& texts) {
+  void add(EntryError error, const std::vector<std::string>& texts) {
     for (const std::string& text : texts) {
       if (text == m_typed || (startsWithZero(text) && !startsWithZero(m_typed))) continue;
-      const double prior = slipShare(slip) / static_cast<double>(texts.size());
+      const double prior = entryErrorShare(error) / static_cast<double>(texts.size());
       const auto found = std::ranges::find(m_intended, text, &IntendedText::text);
       if (found == m_intended.end()) {
-        m_intended.push_back({slip, text, prior});
+        m_intended.push_back({error, text, prior});
         continue;
       }
-      if (prior > found->prior) found->slip = slip;
+      if (prior > found->prior) found->error = error;
       found->prior += prior;
     }
   }
@@ -145,23 +145,23 @@ std::vector<std::string> withOneDigitChanged(std::string_view typed) {
 
 }  // namespace
 
-double slipShare(EntrySlip slip) {
-  return std::ranges::find(slips, slip, &KnownSlip::slip)->share;
+double entryErrorShare(EntryError error) {
+  return std::ranges::find(entryErrors, error, &KnownEntryError::error)->share;
 }
 
 std::vector<IntendedText> intendedTexts(std::string_view typed) {
   Collector collector(typed);
   if (const auto parts = partsOf(typed); parts && parseAngle(typed)) {
-    const auto off = [&](EntrySlip slip, int seconds) {
-      collector.add(slip, {moved(typed, *parts, seconds), moved(typed, *parts, -seconds)});
+    const auto off = [&](EntryError error, int seconds) {
+      collector.add(error, {moved(typed, *parts, seconds), moved(typed, *parts, -seconds)});
     };
-    off(EntrySlip::DegreeOff, 3600);
-    off(EntrySlip::TenMinutesOff, 600);
-    off(EntrySlip::MinuteOff, 60);
-    off(EntrySlip::TenSecondsOff, 10);
+    off(EntryError::DegreeOff, 3600);
+    off(EntryError::TenMinutesOff, 600);
+    off(EntryError::MinuteOff, 60);
+    off(EntryError::TenSecondsOff, 10);
   }
-  collector.add(EntrySlip::DigitsSwapped, withDigitsSwapped(typed));
-  collector.add(EntrySlip::OneDigitWrong, withOneDigitChanged(typed));
+  collector.add(EntryError::DigitsSwapped, withDigitsSwapped(typed));
+  collector.add(EntryError::OneDigitWrong, withOneDigitChanged(typed));
   return collector.take();
 }
 

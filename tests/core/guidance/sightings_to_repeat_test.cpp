@@ -1,4 +1,4 @@
-#include "core/guidance/repeats.h"
+#include "core/guidance/sightings_to_repeat.h"
 
 #include <gtest/gtest.h>
 
@@ -8,15 +8,15 @@
 namespace alidade {
 namespace {
 
-std::vector<Repeat> repeatsIn(const Session& session, const SightingProtocol& protocol,
-                              bool searched = true) {
+std::vector<SightingsToRepeat> sightingsToRepeatIn(const Session& session, const SightingProtocol& protocol,
+                                                   bool searched = true) {
   const Examined examined = examine(session);
   const SessionFit fit = fitSession(*examined.measurement);
   const auto faces = compareFaces(*examined.measurement);
   const std::vector<Suspect> suspects =
       searched ? findSuspects(session, *examined.measurement, fit) : std::vector<Suspect>();
-  return repeatsOf({*examined.measurement, fit, faces ? &*faces : nullptr, suspects},
-                   progressOf(session, protocol));
+  return sightingsToRepeat({*examined.measurement, fit, faces ? &*faces : nullptr, suspects},
+                           progressOf(session, protocol));
 }
 
 void shift(std::string& text, double arcseconds) {
@@ -39,8 +39,8 @@ TEST(Repeats, AreNoneInSoundSessions) {
   constexpr int sessions = 30;
   for (const char* name : {"two-face", "there-and-back", "paper"})
     for (std::uint64_t seed = 1; seed <= sessions; ++seed)
-      named += repeatsIn(*simulate(*protocolByName(name), test::truth(), seed),
-                         templateOf(*protocolByName(name)), false)
+      named += sightingsToRepeatIn(*simulate(*protocolByName(name), test::truth(), seed),
+                                   templateOf(*protocolByName(name)), false)
                        .empty()
                    ? 0
                    : 1;
@@ -55,11 +55,12 @@ TEST(Repeats, NameAMisreadReadingAndNothingElseForIt) {
   const std::size_t row = rowOf(session, 1, 5, 2, 2);
   shift(session.positions[1].readings[row].vertical, 60);
   const SightingProtocol protocol = templateOf(named);
-  const std::vector<Repeat> repeats = repeatsIn(session, protocol);
-  ASSERT_EQ(repeats.size(), 1u);
-  EXPECT_EQ(repeats[0].reason, Repeat::Reason::Misread);
-  EXPECT_NEAR(repeats[0].size, 60, 8) << "the noise of 2″, four of it";
-  const PlannedSighting planned = progressOf(session, protocol).sightings[repeats[0].sightings[0]].planned;
+  const std::vector<SightingsToRepeat> allToRepeat = sightingsToRepeatIn(session, protocol);
+  ASSERT_EQ(allToRepeat.size(), 1u);
+  EXPECT_EQ(allToRepeat[0].reason, SightingsToRepeat::Reason::Misread);
+  EXPECT_NEAR(allToRepeat[0].size, 60, 8) << "the noise of 2″, four of it";
+  const PlannedSighting planned =
+      progressOf(session, protocol).sightings[allToRepeat[0].sightings[0]].planned;
   EXPECT_EQ(planned.axisDeg, 180);
   EXPECT_EQ(planned.point, 5);
   EXPECT_EQ(planned.round, 2);
@@ -73,13 +74,13 @@ TEST(Repeats, NameFacesThatDifferOtherwiseThanElsewhere) {
   truth.effects = {{ErrorTerm::Collimation, 30}, {ErrorTerm::VerticalIndex, 40}};
   Session session = *simulate(named, truth, 3);
   const SightingProtocol protocol = templateOf(named);
-  EXPECT_TRUE(repeatsIn(session, protocol, false).empty());
+  EXPECT_TRUE(sightingsToRepeatIn(session, protocol, false).empty());
   shift(session.positions[0].readings[rowOf(session, 0, 9, 1, 2)].horizontal, 30);
-  const std::vector<Repeat> repeats = repeatsIn(session, protocol, false);
-  ASSERT_FALSE(repeats.empty());
-  EXPECT_EQ(repeats[0].reason, Repeat::Reason::FacesDisagree);
-  EXPECT_EQ(repeats[0].sightings.size(), 2u);
-  EXPECT_EQ(progressOf(session, protocol).sightings[repeats[0].sightings[0]].planned.point, 9);
+  const std::vector<SightingsToRepeat> allToRepeat = sightingsToRepeatIn(session, protocol, false);
+  ASSERT_FALSE(allToRepeat.empty());
+  EXPECT_EQ(allToRepeat[0].reason, SightingsToRepeat::Reason::FacesDisagree);
+  EXPECT_EQ(allToRepeat[0].sightings.size(), 2u);
+  EXPECT_EQ(progressOf(session, protocol).sightings[allToRepeat[0].sightings[0]].planned.point, 9);
 }
 
 TEST(Repeats, NameAPlaceThatLiesElsewhereOnTheWayBack) {
@@ -87,12 +88,12 @@ TEST(Repeats, NameAPlaceThatLiesElsewhereOnTheWayBack) {
   Session session = *simulate(named, test::truth(), 3);
   shift(session.positions[0].readings[rowOf(session, 0, 9, 2, 1)].vertical, 40);
   const SightingProtocol protocol = templateOf(named);
-  const std::vector<Repeat> repeats = repeatsIn(session, protocol, false);
-  ASSERT_EQ(repeats.size(), 1u);
-  EXPECT_EQ(repeats[0].reason, Repeat::Reason::WaysDisagree);
-  EXPECT_EQ(progressOf(session, protocol).sightings[repeats[0].sightings[0]].planned.point, 9);
+  const std::vector<SightingsToRepeat> allToRepeat = sightingsToRepeatIn(session, protocol, false);
+  ASSERT_EQ(allToRepeat.size(), 1u);
+  EXPECT_EQ(allToRepeat[0].reason, SightingsToRepeat::Reason::WaysDisagree);
+  EXPECT_EQ(progressOf(session, protocol).sightings[allToRepeat[0].sightings[0]].planned.point, 9);
   // Point 9 is at 90°, where up is outward; a zenith circle reads down.
-  EXPECT_LT(repeats[0].size, -25);
+  EXPECT_LT(allToRepeat[0].size, -25);
 }
 
 TEST(Repeats, NameAZeroThatMoved) {
@@ -102,14 +103,14 @@ TEST(Repeats, NameAZeroThatMoved) {
   Session session = *simulate(named, truth, 3);
   SightingProtocol protocol = templateOf(named);
   for (ProtocolPosition& position : protocol.positions) position.zeros = {{1, 2}, {1, 2}};
-  EXPECT_TRUE(repeatsIn(session, protocol, false).empty());
+  EXPECT_TRUE(sightingsToRepeatIn(session, protocol, false).empty());
   shift(session.positions[0].zero.after.horizontal, 30);
   shift(session.positions[0].zero.afterInTwo.horizontal, 30);
-  const std::vector<Repeat> repeats = repeatsIn(session, protocol, false);
-  ASSERT_FALSE(repeats.empty());
-  EXPECT_EQ(repeats[0].reason, Repeat::Reason::ZeroMoved);
-  EXPECT_EQ(repeats[0].sightings.size(), 2u);
-  EXPECT_NEAR(repeats[0].size, 30, 10);
+  const std::vector<SightingsToRepeat> allToRepeat = sightingsToRepeatIn(session, protocol, false);
+  ASSERT_FALSE(allToRepeat.empty());
+  EXPECT_EQ(allToRepeat[0].reason, SightingsToRepeat::Reason::ZeroMoved);
+  EXPECT_EQ(allToRepeat[0].sightings.size(), 2u);
+  EXPECT_NEAR(allToRepeat[0].size, 30, 10);
 }
 
 }  // namespace

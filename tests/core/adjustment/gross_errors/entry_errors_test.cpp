@@ -1,4 +1,4 @@
-#include "core/adjustment/gross_errors/entry_slips.h"
+#include "core/adjustment/gross_errors/entry_errors.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -18,30 +18,30 @@ std::vector<std::string> textsOf(std::string_view typed) {
   return texts;
 }
 
-EntrySlip slipTo(std::string_view typed, std::string_view intended) {
+EntryError errorTo(std::string_view typed, std::string_view intended) {
   const auto texts = intendedTexts(typed);
   const auto found = std::ranges::find(texts, intended, &IntendedText::text);
   if (found == texts.end()) throw std::runtime_error("not among the texts meant: " + std::string(intended));
-  return found->slip;
+  return found->error;
 }
 
 TEST(EntrySlips, SwapDigitsWithinAndAcrossParts) {
-  EXPECT_EQ(slipTo("341°25'24\"", "341°52'24\""), EntrySlip::DigitsSwapped);
-  EXPECT_EQ(slipTo("341 52 24", "345 12 24"), EntrySlip::DigitsSwapped);
+  EXPECT_EQ(errorTo("341°25'24\"", "341°52'24\""), EntryError::DigitsSwapped);
+  EXPECT_EQ(errorTo("341 52 24", "345 12 24"), EntryError::DigitsSwapped);
 }
 
 TEST(EntrySlips, ChangeOneDigitToAnyOther) {
-  EXPECT_EQ(slipTo("341°52'24\"", "341°52'29\""), EntrySlip::OneDigitWrong);
-  EXPECT_EQ(slipTo("88°16'49.5\"", "88°16'49.1\""), EntrySlip::OneDigitWrong);
-  EXPECT_EQ(slipTo("379.859gon", "379.359gon"), EntrySlip::OneDigitWrong);
+  EXPECT_EQ(errorTo("341°52'24\"", "341°52'29\""), EntryError::OneDigitWrong);
+  EXPECT_EQ(errorTo("88°16'49.5\"", "88°16'49.1\""), EntryError::OneDigitWrong);
+  EXPECT_EQ(errorTo("379.859gon", "379.359gon"), EntryError::OneDigitWrong);
 }
 
 TEST(EntrySlips, GoOneUnitOffWithCarries) {
-  EXPECT_EQ(slipTo("341°52'24\"", "342°52'24\""), EntrySlip::DegreeOff);
-  EXPECT_EQ(slipTo("341°52'24\"", "342°02'24\""), EntrySlip::TenMinutesOff);
-  EXPECT_EQ(slipTo("341°00'24\"", "340°59'24\""), EntrySlip::MinuteOff);
-  EXPECT_EQ(slipTo("341°52'54\"", "341°53'04\""), EntrySlip::TenSecondsOff);
-  EXPECT_EQ(slipTo("0°00'05\"", "359°59'55\""), EntrySlip::TenSecondsOff);
+  EXPECT_EQ(errorTo("341°52'24\"", "342°52'24\""), EntryError::DegreeOff);
+  EXPECT_EQ(errorTo("341°52'24\"", "342°02'24\""), EntryError::TenMinutesOff);
+  EXPECT_EQ(errorTo("341°00'24\"", "340°59'24\""), EntryError::MinuteOff);
+  EXPECT_EQ(errorTo("341°52'54\"", "341°53'04\""), EntryError::TenSecondsOff);
+  EXPECT_EQ(errorTo("0°00'05\"", "359°59'55\""), EntryError::TenSecondsOff);
 }
 
 TEST(EntrySlips, KeepTheStyleOfTheTypedText) {
@@ -65,22 +65,23 @@ TEST(EntrySlips, AddUpTheWaysToOneText) {
   const auto single = std::ranges::find(texts, "81°48'29\"", &IntendedText::text);
   const auto tens = std::ranges::find(texts, "81°48'33\"", &IntendedText::text);
   ASSERT_TRUE(both != texts.end() && single != texts.end() && tens != texts.end());
-  EXPECT_NEAR(tens->prior, slipShare(EntrySlip::TenSecondsOff) / 2 + single->prior, 1e-12);
-  EXPECT_NEAR(both->prior, slipShare(EntrySlip::DigitsSwapped) / 5, 1e-12);
+  EXPECT_NEAR(tens->prior, entryErrorShare(EntryError::TenSecondsOff) / 2 + single->prior, 1e-12);
+  EXPECT_NEAR(both->prior, entryErrorShare(EntryError::DigitsSwapped) / 5, 1e-12);
 }
 
 TEST(EntrySlips, LeaveWhatIsNoAngleToItsDigits) {
   EXPECT_THAT(textsOf(""), ::testing::IsEmpty());
   EXPECT_THAT(textsOf("abc"), ::testing::IsEmpty());
-  EXPECT_EQ(slipTo("341°72'24\"", "341°27'24\""), EntrySlip::DigitsSwapped);
+  EXPECT_EQ(errorTo("341°72'24\"", "341°27'24\""), EntryError::DigitsSwapped);
 }
 
 TEST(EntrySlips, ShareOutAllOfTheProbability) {
   double sum = 0;
-  for (const EntrySlip slip : {EntrySlip::DigitsSwapped, EntrySlip::OneDigitWrong, EntrySlip::DegreeOff,
-                               EntrySlip::TenMinutesOff, EntrySlip::MinuteOff, EntrySlip::TenSecondsOff,
-                               EntrySlip::CirclesSwapped, EntrySlip::WrongFace, EntrySlip::NeighbouringRow})
-    sum += slipShare(slip);
+  for (const EntryError error :
+       {EntryError::DigitsSwapped, EntryError::OneDigitWrong, EntryError::DegreeOff,
+        EntryError::TenMinutesOff, EntryError::MinuteOff, EntryError::TenSecondsOff,
+        EntryError::CirclesSwapped, EntryError::WrongFace, EntryError::NeighbouringRow})
+    sum += entryErrorShare(error);
   EXPECT_NEAR(sum, 1, 1e-12);
 }
 
