@@ -32,7 +32,7 @@ END {
   print "  esac"
   print "}"
   print ""
-  print "# What may stand after an option of a command, or as its argument: words, or @ and a kind."
+  print "# The values of an option or argument of a command: words, or @ and a kind."
   print "_" name "_values() {"
   print "  case \"$1 $2\" in"
   printf "%s", values
@@ -43,7 +43,7 @@ END {
   print "  local current=${COMP_WORDS[COMP_CWORD]} previous=${COMP_WORDS[COMP_CWORD - 1]} command=- values i"
   print "  local commands='" commands "'"
   print "  COMPREPLY=()"
-  print "  # An equals sign parts words here."
+  print "  # An equals sign separates words here."
   print "  if [[ $current == = ]]; then current=; elif [[ $previous == = && $COMP_CWORD -gt 2 ]]; then previous=${COMP_WORDS[COMP_CWORD - 2]}; fi"
   print "  for ((i = 1; i < COMP_CWORD; ++i)); do"
   print "    if [[ \" $commands \" == *\" ${COMP_WORDS[i]} \"* ]]; then command=${COMP_WORDS[i]} && break; fi"
@@ -75,7 +75,7 @@ END {
   print "complete -F _" name " " PROGRAM
 }
 
-# Files of a kind and, where those are not all, the folders to look for them in.
+# Completes files of a kind and, if `also_folders`, the folders that may contain them.
 function print_files(kind, what, also_folders) {
   print "    " kind ")"
   print "      compopt -o filenames 2>/dev/null"

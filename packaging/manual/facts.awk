@@ -1,9 +1,9 @@
-# Reads the help of a program, one command after the other, each behind a line "@ COMMAND", and prints what it says as
-# fields parted by tabs:
+# Reads the help of a program, one command after the other, each after a line "@ COMMAND", and prints its content as
+# fields separated by tabs:
 #   about COMMAND TEXT             usage COMMAND TEXT           command NAME TEXT        note COMMAND LINE
 #   argument COMMAND VALUE KIND TEXT
 #   option COMMAND NAMES VALUE KIND CHOICES REMARK TEXT
-# KIND is what can be completed: session, record, report, file, folder or effect.
+# KIND is the kind of value to complete: session, record, report, file, folder or effect.
 BEGIN { OFS = "\t" }
 
 /^@ / { if (count) read_help(); command = $2; count = 0; next }
@@ -31,7 +31,7 @@ function read_help(   i, line, section, blank, written) {
   }
 }
 
-# An entry: two blanks, what is typed, blanks, what it means, which may go on in the lines that follow.
+# An entry: two blanks, the typed text, blanks, and the meaning, which may continue on the following lines.
 function read_entry(i, section,   line, typed, meaning, goes_on) {
   line = substr(lines[i], 3)
   if (match(line, /   */)) { typed = substr(line, 1, RSTART - 1); meaning = substr(line, RSTART + RLENGTH) }

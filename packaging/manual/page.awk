@@ -1,4 +1,4 @@
-# page.awk VERSION= DATE= FACTS PAGE.in: the man page, with what facts.awk wrote in the places of @OPTIONS@ and @COMMANDS@.
+# page.awk VERSION= DATE= FACTS PAGE.in: the man page, with the output of facts.awk in place of @OPTIONS@ and @COMMANDS@.
 BEGIN { FS = "\t" }
 
 FNR == NR {
@@ -24,7 +24,7 @@ function print_command(name) {
   if (name in notes) printf ".PP\n.nf\n%s.fi\n", notes[name]
 }
 
-# Typed as it stands, with what roff would take for its own turned off.
+# The text, with all characters escaped that roff would interpret.
 function plain(text) {
   gsub(/\\/, "\\e", text)
   gsub(/-/, "\\-", text)

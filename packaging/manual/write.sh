@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# write.sh PROGRAM PAGE.in VERSION DATE FOLDER: man page and completions of a program into the folder, made of what its help
-# says, so that they know every option and no other.
+# write.sh PROGRAM PAGE.in VERSION DATE FOLDER: writes the man page and completions of a program into the folder. They
+# are generated from its help, so that they contain exactly its options.
 set -euo pipefail
 here=$(dirname -- "${BASH_SOURCE[0]}")
 program=$1 page=$2 version=$3 date=$4 folder=$5

@@ -56,7 +56,7 @@ function action(kind, choices) {
   if (kind == "report") return ":_files -g \"*.pdf\""
   if (kind == "file") return ":_files"
   if (kind == "folder") return ":_files -/"
-  if (kind == "effect") return ":compadd -S \"\" -- @EFFECTS@"  # they stand in a note after the options
+  if (kind == "effect") return ":compadd -S \"\" -- @EFFECTS@"  # a note after the options lists them
   return ": "
 }
 
