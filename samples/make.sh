@@ -32,7 +32,7 @@ sample trunnion-tilt --seed 1 --protocol two-face --points 9 --rounds 1 --inters
   --notes "Simulated: the trunnion axis is tilted by 25 arcseconds. Both faces were read, so nothing else looks like it."
 sample look-alikes --seed 2 --protocol paper --points 17 --intersection 0.4 \
   --effect trunnion_tilt=60 --title "The same fault, one face" \
-  --notes "Simulated: the trunnion axis is tilted by 60 arcseconds, but only one face was read. A drift of the vertical circle or a warped arc plane would leave the same trace."
+  --notes "Simulated: the trunnion axis is tilted by 60 arcseconds, but only one face was read. A tilted or warped arc plane would leave the same trace."
 sample two-causes --seed 3 --protocol full --points 9 --rounds 2 --intersection 0.4 \
   --effect trunnion_tilt=40 --effect vertical_drift=25 --title "Two causes at once" \
   --notes "Simulated: a trunnion axis tilted by 40 arcseconds, and a vertical circle that drifts by 25 arcseconds over the session."
