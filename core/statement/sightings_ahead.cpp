@@ -58,7 +58,7 @@ std::string sentenceOf(const SightingsAhead& ahead, double uncertainty) {
   if (ahead.isReached && ahead.sightings.empty())
     return Phrase::of("U of Δd is already below %1 mm, whatever effect is present.", wanted);
   if (ahead.isReached)
-    return Phrase::of("U = %1 mm of Δd, whatever effect is present, needs %2 more sightings and %3 min.",
+    return Phrase::of("U = %1 mm of Δd, whatever effect is present, needs further sightings: %2, in %3 min.",
                       wanted, ahead.sightings.size(), minutes);
   if (!ahead.expanded) return Phrase::of("These places do not determine Δd.");
   return Phrase::of("U = %1 mm of Δd is not reached: %2 more sightings give %3 mm.", wanted,

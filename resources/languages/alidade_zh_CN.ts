@@ -7227,7 +7227,7 @@ Includes every catalogued effect, limited by these readings or by its plausible 
         <translation>无论存在何种效应，Δd 的 U 已低于 %1 mm。</translation>
     </message>
     <message>
-        <source>U = %1 mm of Δd, whatever effect is present, needs %2 more sightings and %3 min.</source>
+        <source>U = %1 mm of Δd, whatever effect is present, needs further sightings: %2, in %3 min.</source>
         <translation>要使 Δd 的 U 在任何效应下达到 %1 mm：还需照准 %2 次，共 %3 min。</translation>
     </message>
     <message>

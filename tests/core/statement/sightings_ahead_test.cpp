@@ -23,8 +23,9 @@ TEST(SightingsAheadStatement, JoinsTheSightingsOfAPlace) {
   ASSERT_EQ(statement.rows.size(), 2u);
   EXPECT_THAT(statement.rows[0].cells, ElementsAre("0°", "4", "6", "5, 9 (2×); face 2: 9"));
   EXPECT_THAT(statement.rows[1].cells, ElementsAre("180°", "2", "3", "face 2: 1 (2×)"));
-  EXPECT_THAT(statement.sentences,
-              ElementsAre(HasSubstr("0.1 mm of Δd, whatever effect is present, needs 6 more")));
+  EXPECT_THAT(
+      statement.sentences,
+      ElementsAre(HasSubstr("0.1 mm of Δd, whatever effect is present, needs further sightings: 6,")));
 }
 
 TEST(SightingsAheadStatement, NamesWhatWouldReachIt) {

@@ -184,10 +184,10 @@ TEST_F(ByWorth, ListsTheSightingsThatReachAnUncertainty) {
     for (const std::string& said : statement.sentences) EXPECT_THAT(text, HasSubstr(said));
     for (const Statement::Row& row : statement.rows) EXPECT_THAT(text, HasSubstr(row.cells.back()));
   };
-  expectAsConsole(0.9, "more sightings in");
+  expectAsConsole(0.9, "needs further sightings: ");
   expectAsConsole(0.001, "is not reached");
   EXPECT_THAT(shown(), HasSubstr("known"));
-  expectAsConsole(90, "more sightings in");
+  expectAsConsole(90, "needs further sightings: ");
   for (int i = 0; i < 15; ++i) ASSERT_TRUE(typeNext());
   expectAsConsole(90, "already");
 }
