@@ -96,7 +96,7 @@ Statement arcTable(const SessionFit& fit) {
   }
   if (fit.intersection)
     statement.sentences = {
-        Phrase::of("Half the distance of the centres in the plane of the arc: |O1 − O2|/2 = %1.",
+        Phrase::of("Half the distance of the centres: |O1 − O2|/2 = %1.",
                    sizeWithExpanded(fit.intersection->inPlane, fit.intersection->inPlaneExpanded, "mm"))};
   statement.note = Phrase::of("x right, y up; u: standard, scaled by s0 = %1; rms: of all residuals.",
                               displayText(fit.noise.factor, 2));

@@ -49,7 +49,7 @@ Words wordsOf(const RadiiDiffer& finding) {
               "The radii of the one rigid arc at 0° and 180° differ by %1 mm, more than their noise allows "
               "(%2 mm at 0.1 % risk).",
               threeDecimals(finding.difference), threeDecimals(finding.bound)),
-          Phrase::of("Look for a cause outside the model, such as an arc plane offset from the axis.")};
+          Phrase::of("Look for a cause outside the model, such as a plane off the axis.")};
 }
 
 Words wordsOf(const CentresDiffer& finding) {
@@ -57,8 +57,7 @@ Words wordsOf(const CentresDiffer& finding) {
               "Along the axis the centres at 0° and 180° differ by %1 mm, more than readings and zeros allow "
               "(%2 mm at 0.1 % risk).",
               threeDecimals(finding.difference), threeDecimals(finding.bound)),
-          Phrase::of(
-              "Look for a knocked tripod or a drift since the pointing zero, or for play along the axis.")};
+          Phrase::of("Look for a knock or a drift since the pointing zero, or for play along the axis.")};
 }
 
 Words wordsOf(const KnownRadiusContradicted& finding) {

@@ -3172,7 +3172,7 @@ Sealed by:</source>
         <translation>同一刚性圆弧在 0° 和 180° 的半径相差 %1 mm，超过其噪声所允许的范围（0.1 % 风险下为 %2 mm）。</translation>
     </message>
     <message>
-        <source>Look for a cause outside the model, such as an arc plane offset from the axis.</source>
+        <source>Look for a cause outside the model, such as a plane off the axis.</source>
         <translation>请查找模型之外的原因，例如圆弧平面偏离回转轴。</translation>
     </message>
     <message>
@@ -3180,7 +3180,7 @@ Sealed by:</source>
         <translation>沿轴方向 0° 和 180° 的圆心相差 %1 mm，超过读数和零位所允许的范围（0.1 % 风险下为 %2 mm）。</translation>
     </message>
     <message>
-        <source>Look for a knocked tripod or a drift since the pointing zero, or for play along the axis.</source>
+        <source>Look for a knock or a drift since the pointing zero, or for play along the axis.</source>
         <translation>请查找照准瞄准零位以来三脚架的碰动或漂移，或沿轴的间隙。</translation>
     </message>
     <message>
@@ -6878,7 +6878,7 @@ Includes every catalogued effect, limited by these readings or by its plausible 
         <translation>多余观测分量</translation>
     </message>
     <message>
-        <source>Half the distance of the centres in the plane of the arc: |O1 − O2|/2 = %1.</source>
+        <source>Half the distance of the centres: |O1 − O2|/2 = %1.</source>
         <translation>圆弧平面内两圆心距离的一半：|O1 − O2|/2 = %1。</translation>
     </message>
     <message>
@@ -8499,7 +8499,7 @@ as read</source>
         <translation>%1（默认）</translation>
     </message>
     <message>
-        <source>serial number %1</source>
+        <source>S/N %1</source>
         <translation>序列号 %1</translation>
     </message>
     <message>
@@ -8921,7 +8921,7 @@ a clause as a sentence</extracomment>
         <translation>测量记录的更改日志中有 %1 条更改，此处略去</translation>
     </message>
     <message>
-        <source>%1; L and R0 are not corrected for thermal expansion</source>
+        <source>%1; L and R0 without thermal correction</source>
         <extracomment>%1: the temperature</extracomment>
         <translation>%1；L 和 R0 未作热膨胀改正</translation>
     </message>
@@ -9079,7 +9079,7 @@ a clause as a sentence</extracomment>
         <translation>合格：实测 d + U ≤ %1 且仅拟合 |Δd| + U ≤ %1；不合格：实测 d − U &gt; %1。其他情况或差距原因不明时：待定。</translation>
     </message>
     <message>
-        <source>Accepted: |Δd| + U ≤ %1; rejected: |Δd| − U &gt; %1; each for both Δd, measured, and Δd, fit only. Otherwise, or if the gap has no known cause: undecided.</source>
+        <source>Accepted: |Δd| + U ≤ %1; rejected: |Δd| − U &gt; %1; each measured and fit only. Otherwise, or if the gap has no known cause: undecided.</source>
         <translation>合格：|Δd| + U ≤ %1；不合格：|Δd| − U &gt; %1；实测 Δd 与仅拟合 Δd 均须满足。其他情况或差距原因不明时：待定。</translation>
     </message>
     <message>

@@ -49,8 +49,8 @@ QString acceptanceRule(const Gap& gap, const QString& tolerance) {
         .arg(tolerance);
   if (gap.diagnosis)
     return Report::tr(
-               "Accepted: |Δd| + U ≤ %1; rejected: |Δd| − U > %1; each for both Δd, measured, and Δd, fit "
-               "only. Otherwise, or if the gap has no known cause: undecided.")
+               "Accepted: |Δd| + U ≤ %1; rejected: |Δd| − U > %1; each measured and fit only. Otherwise, or "
+               "if the gap has no known cause: undecided.")
         .arg(tolerance);
   return Report::tr(
              "Accepted: |Δd| + U ≤ %1; rejected: |Δd| − U > %1; each for Δd, fit only. Otherwise: undecided.")
@@ -206,7 +206,7 @@ QString temperatureText(const Evaluation& evaluation) {
     addChange(QStringLiteral("R0"), measurement->radiusExpansion);
   }
   //: %1: the temperature
-  if (changes.isEmpty()) return Report::tr("%1; L and R0 are not corrected for thermal expansion").arg(text);
+  if (changes.isEmpty()) return Report::tr("%1; L and R0 without thermal correction").arg(text);
   //: the changes of two lengths: "L 0.101 mm" and "R0 0.032 mm"
   const QString both = changes.size() == 1 ? changes[0] : Report::tr("%1 and %2").arg(changes[0], changes[1]);
   //: %1: the temperature, %2: what L and R0 change by

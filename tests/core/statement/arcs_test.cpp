@@ -56,7 +56,7 @@ TEST(ArcStatement, TellsHowFarTheCentresAreApartWhereThereAreBoth) {
   const Taken taken(test::paperSession());
   const Intersection& found = *taken.fit.intersection;
   EXPECT_THAT(arcTable(taken.fit).sentences,
-              ElementsAre("Half the distance of the centres in the plane of the arc: |O1 − O2|/2 = " +
+              ElementsAre("Half the distance of the centres: |O1 − O2|/2 = " +
                           sizeWithExpanded(found.inPlane, found.inPlaneExpanded, "mm") + "."));
   Session session = test::paperSession();
   session.positions.erase(session.positions.begin());

@@ -422,11 +422,10 @@ TEST(AcceptanceReport, PrintsWhatALaboratoryStates) {
   const QString front = report.page(0).simplified();
   for (const char* text :
        {"Table I No. 2026-117", "Length Laboratory,", "Motion Simulators Ltd.,",
-        "Rotatable arc guideway, serial number A-7", "Theodolite T2, serial number 31415",
-        "K-2026-0815 of 2026-01-20", "national angle standard,", "steel tape 12, certificate L-88",
-        "Hall 3, pillar 2", "2026-03-13", "Agreed by: the customer, order 4711 of 2026-02-02",
-        "20.4 °C; L and R0 are not corrected for thermal expansion", "Operator: J. Doe, date",
-        "Authorised by: R. Roe, date",
+        "Rotatable arc guideway, S/N A-7", "Theodolite T2, S/N 31415", "K-2026-0815 of 2026-01-20",
+        "national angle standard,", "steel tape 12, certificate L-88", "Hall 3, pillar 2", "2026-03-13",
+        "Agreed by: the customer, order 4711 of 2026-02-02", "20.4 °C; L and R0 without thermal correction",
+        "Operator: J. Doe, date", "Authorised by: R. Roe, date",
         "The results relate only to the item measured. Not to be reproduced except in full."})
     EXPECT_TRUE(front.contains(QString::fromUtf8(text))) << text << "\n" << front.toStdString();
 }
@@ -439,8 +438,8 @@ TEST(AcceptanceReport, StatesTheMeasurandAndTheDecisionRuleWithItsRisk) {
   for (const char* text :
        {"half the difference of the heights of the arc centres at 0° (O1) and at 180° (O2), y up; positive "
         "where the centre is the higher one at 0°",
-        "Accepted: |Δd| + U ≤ 2.5 mm; rejected: |Δd| − U > 2.5 mm; each for both Δd, measured, and Δd, fit "
-        "only. Otherwise, or if the gap has no known cause: undecided. Guard band w = U (coverage 95 %): a "
+        "Accepted: |Δd| + U ≤ 2.5 mm; rejected: |Δd| − U > 2.5 mm; each measured and fit only. Otherwise, or "
+        "if the gap has no known cause: undecided. Guard band w = U (coverage 95 %): a "
         "verdict is wrong with a probability of at most 2."})
     EXPECT_TRUE(both.contains(QString::fromUtf8(text))) << text << "\n" << both.toStdString();
   session = *loadSession(samplePath(QStringLiteral("clean-session.alidade")).toStdString());
