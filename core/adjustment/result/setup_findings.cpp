@@ -7,6 +7,7 @@
 
 #include "core/adjustment/joint/sighted_zeros.h"
 #include "core/adjustment/result/reading_step.h"
+#include "core/base/angle_text.h"
 #include "core/observation/half_turn.h"
 #include "core/observation/visits.h"
 
@@ -150,16 +151,15 @@ struct OtherSlider {
 };
 
 std::vector<OtherSlider> otherSliders(const ArcMeasurement& arc) {
-  constexpr double rounding = 1e-6;  // arcsec: two notations of one angle
   std::vector<OtherSlider> others;
   if (!hasSliderReadings(arc)) return others;
   for (const Visit& visit : visitsOf(arc)) {
     const Sighting* first = sliderOf(arc, visit);
     for (const std::size_t i : visit.sightings) {
       const Sighting& row = arc.sightings[i];
-      if (!row.slider) continue;
-      const Angle apart = Angle::fromArcseconds(std::abs(wrapped(*row.slider - *first->slider).arcseconds()));
-      if (apart.arcseconds() > rounding) others.push_back({first->row, row.row, apart});
+      if (!row.slider || areEqualAsTyped(*row.slider, *first->slider)) continue;
+      const Angle apart = Angle::fromRadians(std::abs(wrapped(*row.slider - *first->slider).radians()));
+      others.push_back({first->row, row.row, apart});
     }
   }
   return others;

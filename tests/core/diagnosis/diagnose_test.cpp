@@ -305,6 +305,12 @@ TEST(Diagnosis, TakesTheFitThatThereIs) {
   EXPECT_EQ(own->verdict, given->verdict);
   EXPECT_EQ(own->gap.rms, given->gap.rms);
   EXPECT_EQ(own->after.rms, given->after.rms);
+  EXPECT_EQ(own->after.reducedChiSquare, given->after.reducedChiSquare);
+  ASSERT_EQ(own->readings.size(), given->readings.size());
+  for (std::size_t i = 0; i < own->readings.size(); ++i)
+    EXPECT_EQ(own->readings[i].size, given->readings[i].size);
+  ASSERT_TRUE(own->afterwards && given->afterwards);
+  EXPECT_EQ(own->afterwards->value, given->afterwards->value);
 }
 
 // The ray tracer's own tools computed the trace of an effect in the readings, σ. Effects that our fit absorbs
