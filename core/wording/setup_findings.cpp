@@ -13,7 +13,7 @@ using namespace setup_finding;
 namespace {
 
 std::string sideOf(int axisDeg) {
-  return axisDeg == 0 ? Phrase::of("below (at 0°)") : Phrase::of("above (at %1°)", axisDeg);
+  return axisDeg == 0 ? Phrase::of("at 0° below it") : Phrase::of("at %1° above it", axisDeg);
 }
 
 }  // namespace
@@ -32,8 +32,8 @@ Words wordsOf(const DistanceTooShort& finding) {
 Words wordsOf(const PlacesOnTheWrongSide& finding) {
   const bool several = finding.axesDeg.size() > 1;
   const std::string front = sideOf(finding.axesDeg.front());
-  return {Phrase::of("Most places lie %1 the fitted centre; they should be above it at 0° and below it at "
-                     "180°: Δd may have the wrong sign.",
+  return {Phrase::of("Most places lie on the wrong side of the fitted centre, %1: they should be above it at "
+                     "0° and below it at 180°. Δd may have the wrong sign.",
                      several ? Phrase::of("%1 and %2", front, sideOf(finding.axesDeg.back())) : front),
           several
               ? Phrase::of("Check the kind of the vertical circle, and whether the positions are exchanged.")

@@ -3220,11 +3220,11 @@ Sealed by:</source>
         <translation>请将竖直角的关系式设为“精确”（exact），除非要研究平面关系式。</translation>
     </message>
     <message>
-        <source>below (at 0°)</source>
+        <source>at 0° below it</source>
         <translation>0° 时在下方</translation>
     </message>
     <message>
-        <source>above (at %1°)</source>
+        <source>at %1° above it</source>
         <translation>%1° 时在上方</translation>
     </message>
     <message>
@@ -3240,8 +3240,8 @@ Sealed by:</source>
         <translation>请检查%1：拟合的长度与距离成正比。</translation>
     </message>
     <message>
-        <source>Most places lie %1 the fitted centre; they should be above it at 0° and below it at 180°: Δd may have the wrong sign.</source>
-        <translation>相对于拟合圆心，大多数位置%1，而圆弧上的位置 0° 时应在圆心上方，180° 时应在下方：Δd 的符号可能有误。</translation>
+        <source>Most places lie on the wrong side of the fitted centre, %1: they should be above it at 0° and below it at 180°. Δd may have the wrong sign.</source>
+        <translation>大多数位置位于拟合圆心的错误一侧，%1：0° 时应在圆心上方，180° 时应在下方。Δd 的符号可能有误。</translation>
     </message>
     <message>
         <source>Check the kind of the vertical circle, and whether the positions are exchanged.</source>

@@ -18,9 +18,12 @@ TEST(SetupFindingsInWords, NameTheLengthsAsTyped) {
 
 TEST(SetupFindingsInWords, TellOneArcFromBoth) {
   const Words one = wordsOf(PlacesOnTheWrongSide{{180}}), both = wordsOf(PlacesOnTheWrongSide{{0, 180}});
-  EXPECT_THAT(one.text, HasSubstr("Most places lie above (at 180°) the fitted centre"));
+  EXPECT_THAT(
+      one.text,
+      HasSubstr("Most places lie on the wrong side of the fitted centre, at 180° above it: they should"));
   EXPECT_THAT(one.remedy, HasSubstr("the axis of this position"));
-  EXPECT_THAT(both.text, HasSubstr("Most places lie below (at 0°) and above (at 180°) the fitted centre"));
+  EXPECT_THAT(both.text, HasSubstr("Most places lie on the wrong side of the fitted centre, at 0° below it "
+                                   "and at 180° above it: they should"));
   EXPECT_THAT(both.remedy, HasSubstr("whether the positions are exchanged"));
 }
 
