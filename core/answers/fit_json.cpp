@@ -1,6 +1,7 @@
 #include "core/answers/fit_json.h"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <nlohmann/json.hpp>
 
@@ -11,6 +12,7 @@
 #include "core/answers/json_text.h"
 #include "core/effects/cause_ids.h"
 #include "core/session/value_text.h"
+#include "core/statement/result_figures.h"
 #include "core/wording/budget.h"
 #include "core/wording/conditions.h"
 #include "core/wording/findings.h"
@@ -46,13 +48,14 @@ Json arcJson(const ArcFit& arc, const ArcSigma& sigma) {
                {"center_mm", {{"x", arc.circle.x}, {"y", arc.circle.y}}},
                {"radius_mm", arc.circle.radius},
                {"sigma_mm", {{"x", sigma.x}, {"y", sigma.y}, {"radius", sigma.radius}}},
-               {"correlation", {{"radius_x", sigma.radiusX}, {"radius_y", sigma.radiusY}}},
-               {"readings", arc.residuals.size()},
-               {"degrees_of_freedom", arc.degreesOfFreedom},
-               {"residual_rms_arcsec", arc.residualRms},
-               {"reduced_chi2", arc.degreesOfFreedom > 0 ? arc.reducedChiSquare() : undefined},
-               {"iterations", arc.iterations},
-               {"converged", arc.converged()}};
+               {"correlation", {{"radius_x", sigma.radiusX}, {"radius_y", sigma.radiusY}}}};
+  const ArcSummary summary = summaryOf(arc, sigma);
+  for (const ArcFigure& figure : arcFigures()) {
+    const double value = figure.value(summary);
+    if (figure.key) json[figure.key] = figure.isCount() ? Json(std::llround(value)) : Json(value);
+  }
+  json["iterations"] = arc.iterations;
+  json["converged"] = arc.converged();
   if (arc.repeat > 1) json["time"] = arc.repeat;
   return json;
 }
@@ -384,8 +387,8 @@ std::string fitJson(const FitAnswer& answer) {
   if (measured) {
     document["intersection_measured"] = asFoundJson(measured->estimate, measurement.coverage);
     document["intersection_as_found"] = document["intersection_measured"];  // the name of earlier versions
-    document["across_plane"] = lengthJson(measured->across);
-    document["distance_from_axis"] = lengthJson(measured->distance);
+    for (const MeasuredFigure& figure : measuredFigures())
+      document[figure.id] = lengthJson((*measured).*figure.length);
   }
   if (const auto decision = decideAcceptance(measurement, fit, answer.found()))
     document["decision"] = decisionJson(answer, *decision);

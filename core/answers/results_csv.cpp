@@ -6,6 +6,7 @@
 #include <string_view>
 
 #include "core/exchange/csv_text.h"
+#include "core/statement/result_figures.h"
 
 namespace alidade {
 
@@ -48,8 +49,7 @@ std::string resultsCsv(const FitAnswer& answer) {
     const MeasuredIntersection& measured = *answer.diagnosis->measured;
     table.add("intersection_as_measured", nullptr, "mm", measured.estimate.value, measured.estimate.sigma,
               measured.estimate.expanded);
-    table.add("across_plane", measured.across);
-    table.add("distance_from_axis", measured.distance);
+    for (const MeasuredFigure& figure : measuredFigures()) table.add(figure.id, measured.*figure.length);
   }
   const SessionFit& fit = answer.fit;
   if (const auto& found = fit.intersection) {
@@ -57,11 +57,10 @@ std::string resultsCsv(const FitAnswer& answer) {
     table.add("in_plane", nullptr, "mm", found->inPlane, found->inPlaneSigma, found->inPlaneExpanded);
   }
   for (std::size_t i = 0; i < fit.arcs.size(); ++i) {
-    const ArcFit& arc = fit.arcs[i];
-    table.add("x", &arc, "mm", arc.circle.x, fit.sigmas[i].x);
-    table.add("y", &arc, "mm", arc.circle.y, fit.sigmas[i].y);
-    table.add("radius", &arc, "mm", arc.circle.radius, fit.sigmas[i].radius);
-    table.add("residual_rms", &arc, "arcsec", arc.residualRms, unknownNumber);
+    const ArcSummary summary = summaryOf(fit.arcs[i], fit.sigmas[i]);
+    for (const ArcFigure& figure : arcFigures())
+      table.add(figure.id, &fit.arcs[i], figure.unit, figure.value(summary),
+                figure.sigma ? figure.sigma(summary) : unknownNumber);
   }
   return table.text();
 }

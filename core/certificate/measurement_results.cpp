@@ -1,12 +1,14 @@
 #include "core/certificate/measurement_results.h"
 
 #include <cmath>
+#include <string_view>
 
 #include "core/base/phrase.h"
 #include "core/base/quantity_text.h"
 #include "core/certificate/conformity.h"
 #include "core/certificate/measuring.h"
 #include "core/certificate/quantity.h"
+#include "core/statement/result_figures.h"
 #include "core/wording/diagnosis_sentence.h"
 #include "core/wording/findings.h"
 #include "core/wording/position_name.h"
@@ -16,7 +18,12 @@ namespace alidade {
 namespace {
 
 constexpr const char* millimetres = "\\milli\\metre";
-constexpr const char* arcseconds = "\\arcsecond";
+
+/// The unit of a figure in the notation of the digital SI.
+const char* digitalUnit(std::string_view unit) {
+  if (unit == "mm") return millimetres;
+  return unit == "arcsec" ? "\\arcsecond" : "\\one";
+}
 
 const char* shapeOf(double degreesOfFreedom) {
   return std::isfinite(degreesOfFreedom) ? "Student's t" : "normal";
@@ -101,28 +108,23 @@ void addAcross(const Element& results, const FitAnswer& answer) {
   result.attribute("id", "distance_of_centre");
   result.say("name", [] { return Phrase::of("Distance of the arc's centre from the axis"); });
   const Element data = result.add("data");
-  const auto add = [&](const char* id, const Say& name, const std::optional<MeasuredLength>& length,
-                       bool isOfLength) {
-    if (length) {
-      addQuantity(data, {.id = id,
+  for (const MeasuredFigure& figure : measuredFigures()) {
+    const Say name = [&] { return Phrase::of(figure.name); };
+    if (const std::optional<MeasuredLength>& length = measured.*figure.length) {
+      addQuantity(data, {.id = figure.id,
                          .name = name,
                          .value = length->value,
                          .unit = millimetres,
                          .uncertainty =
                              StatedUncertainty{length->sigma, length->expanded, answer.measurement.coverage,
-                                               isOfLength ? "Rice" : "Student's t", isOfLength}});
-      return;
+                                               figure.distribution, figure.isNonNegative}});
+      continue;
     }
     const Element quantity = data.add("quantity");
-    quantity.attribute("id", id);
+    quantity.attribute("id", figure.id);
     quantity.say("name", name);
     quantity.say("noQuantity", [] { return Phrase::of("not measured"); });
-  };
-  add(
-      "across_plane", [] { return Phrase::of("Δz, across the plane of the arc"); }, measured.across, false);
-  add(
-      "distance_from_axis", [] { return Phrase::of("d = √(Δd² + Δz²), whole distance from the axis"); },
-      measured.distance, true);
+  }
 }
 
 /// "arc_180", and "arc_180_2" for a repeated axis.
@@ -144,31 +146,17 @@ void addArc(const Element& results, const ArcFit& arc, const ArcSigma& sigma) {
         "Centre in the plane of the arc, relative to the theodolite's centre: x to the right, y up.");
   });
   const Element data = result.add("data");
-  const std::string x = id + "_x", y = id + "_y", radius = id + "_radius", rms = id + "_residual_rms";
-  const bool isFirst = arc.axisDeg == 0;
-  addQuantity(
-      data,
-      {.id = x.c_str(),
-       .name = [=] { return isFirst ? Phrase::of("x of the centre O1") : Phrase::of("x of the centre O2"); },
-       .value = arc.circle.x,
-       .unit = millimetres,
-       .uncertainty = standardUncertainty(sigma.x)});
-  addQuantity(
-      data,
-      {.id = y.c_str(),
-       .name = [=] { return isFirst ? Phrase::of("y of the centre O1") : Phrase::of("y of the centre O2"); },
-       .value = arc.circle.y,
-       .unit = millimetres,
-       .uncertainty = standardUncertainty(sigma.y)});
-  addQuantity(data, {.id = radius.c_str(),
-                     .name = [] { return Phrase::of("Radius of the arc"); },
-                     .value = arc.circle.radius,
-                     .unit = millimetres,
-                     .uncertainty = standardUncertainty(sigma.radius)});
-  addQuantity(data, {.id = rms.c_str(),
-                     .name = [] { return Phrase::of("Root mean square of the residuals"); },
-                     .value = roundedTo(arc.residualRms, 2),
-                     .unit = arcseconds});
+  const ArcSummary summary = summaryOf(arc, sigma);
+  for (const ArcFigure& figure : arcFigures()) {
+    const std::string own = id + "_" + figure.id;
+    const double value = figure.value(summary);
+    StatedQuantity quantity{.id = own.c_str(),
+                            .name = [&] { return figure.nameAt(arc.axisDeg); },
+                            .value = figure.sigma ? value : roundedTo(value, figure.decimals),
+                            .unit = digitalUnit(figure.unit)};
+    if (figure.sigma) quantity.uncertainty = standardUncertainty(figure.sigma(summary));
+    addQuantity(data, quantity);
+  }
 }
 
 void addSentences(const Element& metaData, const CertificateSource& source) {

@@ -4,11 +4,12 @@
 #include <cmath>
 #include <utility>
 
-#include "core/adjustment/result/axis_residual_sum.h"
+#include "core/adjustment/result/arc_summary.h"
 #include "core/base/list_text.h"
 #include "core/base/phrase.h"
 #include "core/base/quantity_text.h"
 #include "core/effects/catalogue.h"
+#include "core/statement/result_figures.h"
 #include "core/wording/effect_name.h"
 #include "core/wording/findings.h"
 #include "core/wording/position_name.h"
@@ -29,70 +30,52 @@ std::string arcName(int axisDeg) {
   return Phrase::of("%1 at %2", axisDeg == 0 ? "O1" : "O2", positionName(axisDeg));
 }
 
-/// Lengths with u in brackets, all with the decimals that the smallest u needs.
-struct Lengths {
+/// The decimals of all lengths of the arcs: those that the smallest u needs.
+int decimalsOfLengths(const std::vector<ArcSigma>& sigmas) {
   int decimals = 0;
+  for (const ArcSigma& sigma : sigmas)
+    for (const double u : {sigma.x, sigma.y, sigma.radius}) decimals = std::max(decimals, decimalsFor(u, 0));
+  return std::min(decimals, mostDecimals);
+}
 
-  explicit Lengths(const std::vector<ArcSigma>& sigmas) {
-    for (const ArcSigma& sigma : sigmas)
-      for (const double u : {sigma.x, sigma.y, sigma.radius})
-        decimals = std::max(decimals, decimalsFor(u, 0));
-    decimals = std::min(decimals, mostDecimals);
-  }
-  std::string withU(double value, double u) const {
-    return displayText(value, decimals) + " (" + displayText(u, decimals) + ")";
-  }
-};
+/// The figure with u in brackets, if it has one.
+std::string cellOf(const ArcFigure& figure, const ArcSummary& arc, int decimalsOfLength) {
+  const int decimals = figure.decimals < 0 ? decimalsOfLength : figure.decimals;
+  const std::string value = displayText(figure.value(arc), decimals);
+  return figure.sigma ? value + " (" + displayText(figure.sigma(arc), decimals) + ")" : value;
+}
 
-Cells cellsOf(const SessionFit& fit, std::size_t arc, const Lengths& lengths) {
-  const Circle& circle = fit.arcs[arc].circle;
-  const ArcSigma& sigma = fit.sigmas[arc];
-  const AxisResidualSum sum = residualSumAt(fit, fit.arcs[arc].axisDeg);
-  return {arcName(fit.arcs[arc].axisDeg),
-          lengths.withU(circle.x, sigma.x),
-          lengths.withU(circle.y, sigma.y),
-          lengths.withU(circle.radius, sigma.radius),
-          std::to_string(sum.sightings),
-          displayText(sum.residualRms, 2),
-          sum.degreesOfFreedom > 0 ? displayText(sum.reducedChiSquare(), 2) : "—",
-          std::to_string(sum.degreesOfFreedom)};
+std::vector<Statement::Column> arcColumns() {
+  std::vector<Statement::Column> columns = {{"arc", "", Role::Name}};
+  for (const ArcFigure& figure : arcFigures())
+    columns.push_back({figure.id, Phrase::of(figure.title), Role::Figure,
+                       *figure.remark ? Phrase::of(figure.remark) : std::string()});
+  return columns;
+}
+
+/// The part of the row of an axis angle that one of its arcs has for itself.
+Statement::Row rowOfRepeat(const ArcFit& arc) {
+  const ArcSummary own = summaryOf(arc, {});
+  Cells cells = {positionName(arc.axisDeg, arc.repeat)};
+  for (const ArcFigure& figure : arcFigures())
+    cells.push_back(figure.isOfEachRepeat ? displayText(figure.value(own), figure.decimals) : "");
+  return {.cells = std::move(cells), .isPart = true};
 }
 
 }  // namespace
 
 Statement arcTable(const SessionFit& fit) {
   Statement statement{
-      .id = "arcs",
-      .title = Phrase::of("Arc centres and radii"),
-      .columns = {{"arc", "", Role::Name},
-                  {"x", Phrase::of("Δx (u), mm"), Role::Figure,
-                   Phrase::of("Centre of the arc, right positive, with its standard uncertainty")},
-                  {"y", Phrase::of("Δy (u), mm"), Role::Figure,
-                   Phrase::of("Centre of the arc, up positive, with its standard uncertainty")},
-                  {"radius", Phrase::of("R (u), mm"), Role::Figure,
-                   Phrase::of("Fitted radius with its standard uncertainty")},
-                  {"sightings", Phrase::of("Sightings")},
-                  {"rms", Phrase::of("rms, ″"), Role::Figure,
-                   Phrase::of("Root mean square of the residuals of all readings of the arc")},
-                  {"reduced_chi_square", Phrase::of("Reduced χ²"), Role::Figure,
-                   Phrase::of("About 1 where the readings scatter as stated")},
-                  {"redundancy", Phrase::of("Redundancy")}},
-      .rows = {}};
-  const Lengths lengths(fit.sigmas);
+      .id = "arcs", .title = Phrase::of("Arc centres and radii"), .columns = arcColumns(), .rows = {}};
+  const int decimals = decimalsOfLengths(fit.sigmas);
   bool hasRepeats = false;
-  for (const int axisDeg : axes) {
-    const ArcFit* first = fit.arcAt(axisDeg);
-    if (!first) continue;
-    statement.rows.push_back({cellsOf(fit, static_cast<std::size_t>(first - fit.arcs.data()), lengths)});
-    const auto isHere = [&](const ArcFit& arc) { return arc.axisDeg == axisDeg; };
-    if (std::ranges::count_if(fit.arcs, isHere) < 2) continue;
+  for (const ArcSummary& arc : summariesByAxis(fit)) {
+    Cells cells = {arcName(arc.arcs.front()->axisDeg)};
+    for (const ArcFigure& figure : arcFigures()) cells.push_back(cellOf(figure, arc, decimals));
+    statement.rows.push_back({cells});
+    if (arc.arcs.size() < 2) continue;
     hasRepeats = true;
-    for (const ArcFit& arc : fit.arcs)
-      if (isHere(arc))
-        statement.rows.push_back(
-            {.cells = {positionName(axisDeg, arc.repeat), "", "", "", std::to_string(arc.residuals.size()),
-                       displayText(arc.residualRms, 2), "", ""},
-             .isPart = true});
+    for (const ArcFit* repeat : arc.arcs) statement.rows.push_back(rowOfRepeat(*repeat));
   }
   if (fit.intersection)
     statement.sentences = {

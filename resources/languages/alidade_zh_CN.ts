@@ -4406,24 +4406,20 @@ title of a column and its cell: &quot;cannot be told from: gravity sag&quot;</ex
         <translation>圆弧平面内的圆心，相对于经纬仪中心：x 向右，y 向上。</translation>
     </message>
     <message>
-        <source>x of the centre O1</source>
-        <translation>圆心 O1 的 x</translation>
+        <source>x of the centre %1</source>
+        <translation>圆心 %1 的 x</translation>
     </message>
     <message>
-        <source>x of the centre O2</source>
-        <translation>圆心 O2 的 x</translation>
-    </message>
-    <message>
-        <source>y of the centre O1</source>
-        <translation>圆心 O1 的 y</translation>
-    </message>
-    <message>
-        <source>y of the centre O2</source>
-        <translation>圆心 O2 的 y</translation>
+        <source>y of the centre %1</source>
+        <translation>圆心 %1 的 y</translation>
     </message>
     <message>
         <source>Radius of the arc</source>
         <translation>圆弧半径</translation>
+    </message>
+    <message>
+        <source>Number of sightings</source>
+        <translation>照准次数</translation>
     </message>
     <message>
         <source>Root mean square of the residuals</source>

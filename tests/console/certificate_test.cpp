@@ -82,6 +82,18 @@ class CertificateTest : public ::testing::Test {
     EXPECT_EQ(real.child_value("si:unit"), std::string("\\milli\\metre"));
   }
 
+  /// Compares a number without uncertainty with that of the fit; two decimals are stated.
+  static void expectRounded(const pugi::xml_document& document, const std::string& id, const Json& value) {
+    const pugi::xml_node quantity = byId(document, id);
+    if (value.is_null()) {
+      EXPECT_TRUE(quantity.child("dcc:noQuantity")) << id;
+      return;
+    }
+    const std::string written = quantity.child("si:real").child_value("si:value");
+    ASSERT_FALSE(written.empty()) << id;
+    EXPECT_NEAR(std::stod(written), value.get<double>(), 0.0051) << id;
+  }
+
   /// The contents of a file element, decoded by an external program.
   std::string decoded(const pugi::xml_node& file) {
     const ProgramRun run =
@@ -128,6 +140,10 @@ TEST_F(CertificateTest, ConformsAndSaysTheNumbersOfTheFitForEverySample) {
       expectNumbers(document, id + "_x", arc["center_mm"]["x"], arc["sigma_mm"]["x"], {});
       expectNumbers(document, id + "_y", arc["center_mm"]["y"], arc["sigma_mm"]["y"], {});
       expectNumbers(document, id + "_radius", arc["radius_mm"], arc["sigma_mm"]["radius"], {});
+      expectRounded(document, id + "_sightings", arc["readings"]);
+      expectRounded(document, id + "_residual_rms", arc["residual_rms_arcsec"]);
+      expectRounded(document, id + "_reduced_chi_square", arc["reduced_chi2"]);
+      expectRounded(document, id + "_redundancy", arc["degrees_of_freedom"]);
     }
     for (const auto& [id, key] :
          {std::pair("across_plane", "across_plane"), std::pair("distance_from_axis", "distance_from_axis")})

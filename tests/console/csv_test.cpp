@@ -59,7 +59,11 @@ TEST(FitCsv, HoldsTheNumbersOfTheDocument) {
     expectRow("x" + axis, arc["center_mm"]["x"], arc["sigma_mm"]["x"], {});
     expectRow("y" + axis, arc["center_mm"]["y"], arc["sigma_mm"]["y"], {});
     expectRow("radius" + axis, arc["radius_mm"], arc["sigma_mm"]["radius"], {});
-    expectRow("residual_rms" + axis, arc["residual_rms_arcsec"], {}, {});
+    for (const auto& [quantity, key] : {std::pair("sightings", "readings"),
+                                        {"residual_rms", "residual_rms_arcsec"},
+                                        {"reduced_chi_square", "reduced_chi2"},
+                                        {"redundancy", "degrees_of_freedom"}})
+      expectRow(quantity + axis, arc[key], {}, {});
   }
   EXPECT_EQ(rows.size(), 14u);
 }
