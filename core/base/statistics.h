@@ -41,6 +41,10 @@ class DegreesOfFreedom {
   double m_count;
 };
 
+/// A test of readings fails if its p-value is smaller. A session undergoes some ten tests, so that chance
+/// alone fails one in a hundred sessions.
+inline constexpr double improbable = 0.001;
+
 /// Probability that χ² exceeds a sum. Absent if the sum is unknown or there are no degrees of freedom.
 std::optional<double> chiSquareUpperTail(WeightedSquareSum chiSquare, DegreesOfFreedom degreesOfFreedom);
 

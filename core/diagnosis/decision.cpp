@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "core/diagnosis/conformance.h"
+#include "core/diagnosis/result/thresholds.h"
 #include "core/effects/cause_ids.h"
 
 namespace alidade {
@@ -106,7 +107,7 @@ const MeasuredLength* judgedDistance(const Measurement& measurement, const Measu
 }
 
 bool isUnexplained(const Diagnosis& diagnosis) {
-  return diagnosis.unexplained.chance > mostUnexplained;
+  return diagnosis.unexplained.chance > thresholds.mostUnexplained;
 }
 
 std::optional<AcceptanceDecision> decideVerdict(const Measurement& measurement, const SessionFit& fit,

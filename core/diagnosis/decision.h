@@ -32,11 +32,6 @@ namespace alidade {
 /// Least coverage of U for a verdict: a guard band of lower coverage gives no protection.
 constexpr double leastCoverageOfVerdict = 0.9;
 
-/// A larger probability of an unexplained gap leaves the verdict open. In 1000 simulated sessions, half of
-/// them with an uncatalogued effect, 492 of the 508 `NotInCatalogue` exceed it. The other sessions are
-/// unclear or depend on one reading; their U covers both cases.
-constexpr double mostUnexplained = 0.95;
-
 struct AcceptanceDecision {
   /// The reason why the verdict is neither accept nor reject.
   enum class Obstacle {

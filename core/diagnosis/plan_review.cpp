@@ -13,6 +13,7 @@
 #include "core/diagnosis/observability/further_terms.h"
 #include "core/diagnosis/observability/look_alikes.h"
 #include "core/diagnosis/observability/undetectable.h"
+#include "core/diagnosis/result/thresholds.h"
 #include "core/diagnosis/search/inquiry.h"
 #include "core/effects/known_sizes.h"
 
@@ -56,12 +57,12 @@ void seeVisibility(Planned& planned, const Component& component, const Leftover&
     }
     first = false;
   }
-  if (summary.mostVisible < clearlyDifferent) return;
+  if (summary.mostVisible < thresholds.clearlyDifferent) return;
   const Trace trace(leftover, component.signature(leftover, planned.plainest));
   for (const EffectComponent& other : components) {
     if (other.id() == component.id() || other.isKnown()) continue;
     const LookAlike like = trace.compared(other);
-    if (like.difference <= clearlyDifferent) summary.lookAlikes.push_back(like);
+    if (like.difference <= thresholds.clearlyDifferent) summary.lookAlikes.push_back(like);
   }
   std::ranges::sort(summary.lookAlikes, {}, &LookAlike::difference);
 }
@@ -130,15 +131,16 @@ PlanAdvice adviceOf(const std::vector<Measure>& measures, const VisibleTerms& sh
   };
   for (const Planned& planned : inQuestion) {
     if (planned.summary.undetectable &&
-        lengthOf(shown, combinationOf(*planned.effect) * planned.mostDangerous) > clearlyDifferent)
+        lengthOf(shown, combinationOf(*planned.effect) * planned.mostDangerous) > thresholds.clearlyDifferent)
       advice.reveals.push_back(planned.summary.effect);
     const VectorXd plainest = plainestOf(planned);
     for (const LookAlike& other : planned.summary.lookAlikes) {
       const std::pair pair(other.effect, planned.summary.effect);
       if (std::ranges::find(advice.separates, pair) == advice.separates.end() &&
-          linearDifferenceFrom(shown, plainest, *plannedAs(other.effect).effect) > clearlyDifferent &&
+          linearDifferenceFrom(shown, plainest, *plannedAs(other.effect).effect) >
+              thresholds.clearlyDifferent &&
           linearDifferenceFrom(shown, plainestOf(plannedAs(other.effect)), *planned.effect) >
-              clearlyDifferent)
+              thresholds.clearlyDifferent)
         advice.separates.emplace_back(planned.summary.effect, other.effect);
     }
   }

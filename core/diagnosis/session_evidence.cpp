@@ -11,6 +11,7 @@
 #include "core/diagnosis/conclusion/causes.h"
 #include "core/diagnosis/evidence/bent_fit.h"
 #include "core/diagnosis/observability/look_alikes.h"
+#include "core/diagnosis/result/thresholds.h"
 #include "core/diagnosis/search/inquiry.h"
 #include "core/effects/cause_ids.h"
 
@@ -269,11 +270,11 @@ double leastDifference(Response response, std::span<const double> gram, std::spa
 }
 
 double hardlySeparated() {
-  return hardlyDifferent;
+  return thresholds.hardlyDifferent;
 }
 
 double clearlySeparated() {
-  return clearlyDifferent;
+  return thresholds.clearlyDifferent;
 }
 
 double priorOddsOfEffect() {

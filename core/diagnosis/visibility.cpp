@@ -5,6 +5,7 @@
 #include "core/diagnosis/candidates/effect_components.h"
 #include "core/diagnosis/candidates/jump_components.h"
 #include "core/diagnosis/observability/look_alikes.h"
+#include "core/diagnosis/result/thresholds.h"
 #include "core/diagnosis/search/inquiry.h"
 #include "core/effects/cause_ids.h"
 
@@ -19,7 +20,7 @@ Visibility visibilityIn(const GapModel& model, const std::string& held) {
   const auto compare = [&](const Component& other) {
     const LookAlike like = trace.compared(other);
     visibility.nearest = std::min(visibility.nearest, like.difference);
-    if (like.difference > clearlyDifferent) return;
+    if (like.difference > thresholds.clearlyDifferent) return;
     const auto same = std::ranges::find(visibility.lookAlikes, like.effect, &LookAlike::effect);
     if (same == visibility.lookAlikes.end())
       visibility.lookAlikes.push_back(like);

@@ -14,8 +14,6 @@ using namespace arc_finding;
 
 namespace {
 
-/// A probability this small indicates that the stated noise is wrong.
-constexpr double surprise = 0.001;
 constexpr double poorRadiusUncertainty = 0.01;
 constexpr double farFromNominal = 0.05;
 
@@ -28,9 +26,9 @@ void judgeRedundancyAndNoise(std::vector<FitFinding>& findings, const ArcFit& fi
   if (fit.degreesOfFreedom <= 0) return add(findings, fit, Severity::Warning, NothingChecks{});
   const std::optional<double> upper = chiSquareUpperTail(fit.chiSquare, fit.degreesOfFreedom);
   if (!upper) return;
-  if (*upper < surprise)
+  if (*upper < improbable)
     add(findings, fit, Severity::Warning, ScattersMore{fit.reducedChiSquare(), fit.degreesOfFreedom});
-  else if (1 - *upper < surprise)
+  else if (1 - *upper < improbable)
     add(findings, fit, Severity::Note, ScattersLess{fit.reducedChiSquare(), fit.degreesOfFreedom});
 }
 

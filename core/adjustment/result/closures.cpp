@@ -181,8 +181,7 @@ std::vector<Closure> zeroClosuresOf(const Measurement& measurement, const JointF
 }
 
 bool fails(const Closure& closure) {
-  constexpr double risk = 0.001;
-  return closure.chance < risk;
+  return closure.chance < improbable;
 }
 
 }  // namespace alidade

@@ -17,9 +17,6 @@ namespace alidade {
 
 namespace {
 
-/// Scatter with such a small probability is not trusted: the stated noise is used instead.
-constexpr double improbablySmall = 0.001;
-
 struct Weight {
   std::size_t unknown = 0;
   double factor = 0;
@@ -138,7 +135,7 @@ NoiseScale noiseScale(double chiSquare, int degreesOfFreedom) {
   // The median of χ² is below its mean f: above f it is not improbably small.
   if (degreesOfFreedom > 0 && chiSquare >= degreesOfFreedom) return asRead;
   const std::optional<double> tail = chiSquareUpperTail(chiSquare, degreesOfFreedom);
-  if (!tail || 1 - *tail < improbablySmall) return {1, known};
+  if (!tail || 1 - *tail < improbable) return {1, known};
   return asRead;
 }
 

@@ -34,11 +34,10 @@ void judgeClosure(std::vector<FitFinding>& findings, const SessionFit& fit, Unkn
   const auto misclosure = misclosureOf(fit.joint, quantity, index(upper), index(lower), fit.noise.factor);
   if (!misclosure) return;
   const double difference = std::abs(misclosure->value), sigma = misclosure->sigma;
-  constexpr double risk = 0.001;
   constexpr double leastFactor =
       3.29;  // of the normal distribution; Student's quantile takes longer than all the rest
   if (difference <= leastFactor * sigma) return;
-  const double bound = coverageFactor(1 - risk, fit.noise.degreesOfFreedom) * sigma;
+  const double bound = coverageFactor(1 - improbable, fit.noise.degreesOfFreedom) * sigma;
   if (difference <= bound) return;
   findings.push_back({Severity::Warning, {}, Finding{difference, bound}});
 }
@@ -61,8 +60,7 @@ void judgeKnownRadius(std::vector<FitFinding>& findings, const Measurement& meas
     if (entry.source == UncertaintySource::PointingZeros || entry.source == UncertaintySource::Distance)
       ofConsidered += std::pow(entry.sigma, 2);
   const double away = fit.joint.values[radius] - measurement.nominalRadius;
-  constexpr double risk = 0.001;
-  const double bound = coverageFactor(1 - risk, fit.noise.degreesOfFreedom) *
+  const double bound = coverageFactor(1 - improbable, fit.noise.degreesOfFreedom) *
                        std::sqrt(std::max(0.0, ofReadings + ofRadius + ofConsidered));
   if (std::abs(away) <= bound) return;
   findings.push_back({Severity::Warning, fieldOf("geometry.radius_mm"),

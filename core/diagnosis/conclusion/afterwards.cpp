@@ -12,6 +12,7 @@
 #include "core/diagnosis/conclusion/linear_move.h"
 #include "core/diagnosis/evidence/gain.h"
 #include "core/diagnosis/gap/gap_size.h"
+#include "core/diagnosis/result/thresholds.h"
 #include "core/diagnosis/search/explained_model.h"
 
 namespace alidade {
@@ -54,11 +55,11 @@ class Average {
   }
 
   void addExplanations() {
-    constexpr double leastChance = 0.01;
     const Explanation* const own = explanationOf(m_inquiry, m_answer);
     if (!own) return;
     for (const Explanation& explanation : m_inquiry.explanations)
-      if (explanation.chance >= leastChance && &explanation != own && isInAverage(explanation, m_answer))
+      if (explanation.chance >= thresholds.leastAveraged && &explanation != own &&
+          isInAverage(explanation, m_answer))
         add(explanation, oddsOf(explanation.logPosteriorOdds - own->logPosteriorOdds));
   }
 

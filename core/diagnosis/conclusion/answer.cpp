@@ -10,6 +10,7 @@
 #include "core/diagnosis/evidence/gain.h"
 #include "core/diagnosis/gap/every_effect.h"
 #include "core/diagnosis/gap/gap_size.h"
+#include "core/diagnosis/result/thresholds.h"
 #include "core/diagnosis/search/explained_model.h"
 #include "core/effects/cause_ids.h"
 #include "core/effects/known_sizes.h"
@@ -50,12 +51,11 @@ bool isKnown(const Explanation& explanation) {
 /// The best explanation by known causes, or a nearly as good one by fewer of these causes. Null if there is
 /// none.
 const Explanation* bestKnown(const Inquiry& inquiry) {
-  constexpr double nearlyAsGood = 2;  // natural logarithm: odds of 7
   const Explanation* const best = likeliest(inquiry, isKnown);
   const Explanation* simplest = best;
   const auto count = [](const Explanation& e) { return e.parts.size() + (e.noisy ? 1 : 0); };
   for (const Explanation& other : inquiry.explanations)
-    if (best && isKnown(other) && other.logPosteriorOdds > best->logPosteriorOdds - nearlyAsGood &&
+    if (best && isKnown(other) && other.logPosteriorOdds > best->logPosteriorOdds - thresholds.nearlyAsGood &&
         count(other) < count(*simplest) && isPartOf(other, *best))
       simplest = &other;
   return simplest;
@@ -84,11 +84,10 @@ Answer knownAs(const Inquiry& inquiry, const Explanation& explanation) {
 
 /// The likeliest pattern, and the causes that are as good as certain in addition to it.
 Answer unknownAs(const Inquiry& inquiry, const Explanation& shaped) {
-  constexpr double certain = 0.95;
   const std::vector<std::vector<Rival>> rivals = rivalsOf(inquiry, shaped);
   Answer answer{Answer::Kind::Unknown, {}, {}, shaped.parts.back(), {}};
   for (std::size_t p = 0; p + 1 < shaped.parts.size(); ++p) {
-    if (chanceOf(inquiry, shaped.parts[p], rivals[p]) < certain) continue;
+    if (chanceOf(inquiry, shaped.parts[p], rivals[p]) < thresholds.certain) continue;
     answer.explanation.parts.push_back(shaped.parts[p]);
     answer.rivals.push_back(rivals[p]);
   }
@@ -100,7 +99,6 @@ Answer unknownAs(const Inquiry& inquiry, const Explanation& shaped) {
 /// effects of any size. It contains the causes that are certain in addition to the effects. Absent if the
 /// readings do not determine its model.
 std::optional<Answer> severalIn(const Inquiry& inquiry) {
-  constexpr double certain = 0.95, leastChance = 0.01;
   constexpr EffectScales asPlausible;
   WeighedExplanations weighed(inquiry);
   weighed.alsoAt(withEveryEffect(inquiry.base), {}, {});
@@ -108,7 +106,7 @@ std::optional<Answer> severalIn(const Inquiry& inquiry) {
   const Explanation* best = nullptr;
   std::vector<std::pair<const Explanation*, double>> all;
   for (const Explanation& explanation : inquiry.explanations) {
-    if (explanation.chance < leastChance && explanation.parts.size() > 1) continue;
+    if (explanation.chance < thresholds.leastAveraged && explanation.parts.size() > 1) continue;
     for (const WeighedExplanation& one : weighed.of(explanation)) {
       if (!explanation.shaped && one.scales != asPlausible) continue;
       double& sum = explanation.shaped ? shaped : named;
@@ -126,7 +124,8 @@ std::optional<Answer> severalIn(const Inquiry& inquiry) {
     double chance = 0;
     for (const auto& [explanation, logOdds] : all)
       if (explanation->has(part.component)) chance += std::exp(logOdds - named);
-    if (chance >= certain && !inquiry.of(part).isEffect()) answer.explanation.parts.push_back(part);
+    if (chance >= thresholds.certain && !inquiry.of(part).isEffect())
+      answer.explanation.parts.push_back(part);
   }
   answer.rivals.resize(answer.explanation.parts.size());
   answer.after = withEveryEffect(modelWith(inquiry, answer.explanation));
@@ -160,7 +159,6 @@ Answer unexplained(const Inquiry& inquiry) {
 }
 
 Answer likeliestAnswer(const Inquiry& inquiry) {
-  constexpr double hardlyNoise = 1e-3;  // least p-value of the rest that counts as noise
   const auto [nothing, known, unknown] = chancesOf(inquiry);
   const Explanation* const best = bestKnown(inquiry);
   const Explanation* const shaped = likeliest(inquiry, &Explanation::shaped);
@@ -170,7 +168,7 @@ Answer likeliestAnswer(const Inquiry& inquiry) {
   // Many causes may be slightly likely, but none of them likelier than the alternative.
   if (!isLikelier(inquiry, answer, std::max(nothing, unknown)))
     return !shaped || nothing >= unknown ? nothingIn(inquiry) : beyondCatalogue(inquiry, *shaped);
-  const bool isNoise = !(sizeOf(answer.after).pValue < hardlyNoise);  // true without a p-value
+  const bool isNoise = !(sizeOf(answer.after).pValue < improbable);  // true without a p-value
   if (answer.explanation.noisy || isNoise) return answer;
   const Explanation* const more =
       likeliest(inquiry, [](const Explanation& other) { return other.shaped || other.noisy; });

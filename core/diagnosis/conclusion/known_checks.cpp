@@ -6,6 +6,7 @@
 #include <string>
 
 #include "core/base/square.h"
+#include "core/diagnosis/result/thresholds.h"
 #include "core/effects/known_sizes.h"
 
 namespace alidade {
@@ -13,10 +14,9 @@ namespace alidade {
 namespace {
 
 void fillSeen(KnownCheck& check, const EstimatedTerm& term, const JointFit& fit, double unit) {
-  constexpr double next = 0.95;  // with this share of the known value or more, the readings determine nothing
   const std::size_t i = fit.indexOf({.kind = Unknown::Kind::Error, .arc = 0, .term = term.term});
   const double variance = fit.cofactor(i, i), ofKnown = variance / square(term.priorSigma);
-  if (!(ofKnown < next)) return;
+  if (!(ofKnown < thresholds.ofPriorOnly)) return;
   check.isSeen = true;
   check.value = (fit.values[i] - ofKnown * term.priorValue) / (1 - ofKnown) / unit;
   check.sigma = std::sqrt(variance / (1 - ofKnown)) / unit;

@@ -18,6 +18,7 @@
 #include "core/diagnosis/evidence/gain.h"
 #include "core/diagnosis/gap/every_effect.h"
 #include "core/diagnosis/gap/gap_size.h"
+#include "core/diagnosis/result/thresholds.h"
 #include "core/diagnosis/search/explained_model.h"
 #include "core/effects/catalogue.h"
 #include "core/effects/known_sizes.h"
@@ -35,7 +36,6 @@ struct Across {
 /// The estimate of the plane's offset, freed from the prior N(p₀, p²) of its plausible size. The estimate
 /// contains the prior with the share g = Q/p²; the rest is (value − g p₀)/(1 − g). A known size is kept.
 std::optional<Across> acrossOf(const GapModel& model, const std::vector<double>& weights) {
-  constexpr double nothingBut = 0.95;  // with this share of the prior or more, nothing is measured
   constexpr ErrorTerm offset = ErrorTerm::PlaneOffset;
   const JointFit& fit = *model.fit;
   const auto term = std::ranges::find(model.options.terms, offset, &EstimatedTerm::term);
@@ -47,7 +47,7 @@ std::optional<Across> acrossOf(const GapModel& model, const std::vector<double>&
   const std::vector<BudgetEntry> budget = budgetOf(fit, own, noise.factor);
   const bool isKnown = knownOf(*model.measurement, effectOf(offset)->parameters.front()).has_value();
   const double ofPrior = isKnown ? 0 : fit.cofactor(index, index) / square(term->priorSigma);
-  if (!(ofPrior < nothingBut)) return std::nullopt;
+  if (!(ofPrior < thresholds.ofPriorOnly)) return std::nullopt;
   const double withPrior = covarianceWith(fit.cofactor, weights, index);
   const double ofReadings = 1 - ofPrior;
   const double variance = square(combined(budget)) - square(ofPrior * term->priorSigma);
@@ -232,12 +232,12 @@ class Measured {
   /// are out of date. Explanations by one gross error or one jump alone count even if unlikely, since the
   /// search weighed them without the effects.
   std::vector<Explanation> explanations() {
-    constexpr double leastChance = 0.01;
     std::vector<Explanation> all = withRivals(m_answer, m_whole);
     for (const Explanation& explanation : m_inquiry.explanations) {
       const bool isAlone = explanation.parts.size() == 1 && !m_inquiry.of(explanation.parts[0]).isEffect() &&
                            !explanation.shaped;
-      const bool counts = explanation.chance >= leastChance || explanation.parts.empty() || isAlone;
+      const bool counts =
+          explanation.chance >= thresholds.leastAveraged || explanation.parts.empty() || isAlone;
       const auto isThat = [&](const Explanation& other) { return areAlike(other, explanation); };
       if (counts && isInAverage(explanation, m_answer) && std::ranges::none_of(all, isThat))
         all.push_back(explanation);

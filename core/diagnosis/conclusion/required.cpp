@@ -8,6 +8,7 @@
 #include "core/diagnosis/candidates/jump_components.h"
 #include "core/diagnosis/gap/gap_size.h"
 #include "core/diagnosis/observability/look_alikes.h"
+#include "core/diagnosis/result/thresholds.h"
 #include "core/effects/cause_ids.h"
 
 namespace alidade {
@@ -68,7 +69,7 @@ std::vector<Required> whatItWouldTake(const Inquiry& inquiry) {
     if (influence.norm() < hardlyMoves) continue;
     const VectorXd weights = leastThatMoves(component, influence, move);
     const VectorXd products = component.products(residual).head(weights.size());
-    if (excludedBy(component, products, weights, noise) > clearlyDifferent) continue;
+    if (excludedBy(component, products, weights, noise) > thresholds.clearlyDifferent) continue;
     Required required = requiredOf(component, weights, measurement);
     required.visibleSigma = component.signatureLength(weights);
     const auto same = std::ranges::find(list, required.effect, &Required::effect);

@@ -6,6 +6,7 @@
 
 #include "core/diagnosis/evidence/gain.h"
 #include "core/diagnosis/observability/look_alikes.h"
+#include "core/diagnosis/result/thresholds.h"
 #include "core/diagnosis/search/search.h"
 
 namespace alidade {
@@ -77,9 +78,9 @@ std::vector<Rival> nearlyLike(const Inquiry& inquiry, const Explanation& explana
     const Component& candidate = inquiry.candidates[i];
     if (!isOfKind(candidate) || !std::ranges::all_of(explanation.parts, isOther)) continue;
     const double difference = trace.differenceFrom(candidate) / explanation.noise;
-    if (difference > clearlyDifferent) continue;
+    if (difference > thresholds.clearlyDifferent) continue;
     Rival rival = comparison.with(index, i);
-    const bool isNear = difference < hardlyDifferent;
+    const bool isNear = difference < thresholds.hardlyDifferent;
     rival.isExcluded = candidate.isKnown() && !isClose(rival);
     if (rival.part.isSupported() && (isNear || isClose(rival))) rivals.push_back(std::move(rival));
   }

@@ -12,8 +12,6 @@ namespace alidade {
 
 namespace {
 
-constexpr double evenAt = 1e-3;  // the risk of `fails`
-
 /// ln B(z) for a two-sided probability.
 double logBayesFactorOfMore(double chance) {
   constexpr double least = 1e-300;
@@ -74,7 +72,7 @@ std::vector<Closure> everyClosureOf(const GapModel& model) {
 }
 
 double chanceOfMore(double chance) {
-  return 1 / (1 + std::exp(logBayesFactorOfMore(evenAt) - logBayesFactorOfMore(chance)));
+  return 1 / (1 + std::exp(logBayesFactorOfMore(improbable) - logBayesFactorOfMore(chance)));
 }
 
 Unexplained unexplainedOf(const Inquiry& inquiry, const Answer& answer,

@@ -9,21 +9,18 @@
 namespace alidade {
 
 bool beatNothing(const std::vector<WeighedForm>& all) {
-  constexpr double least = 20;
   return !all.empty() && all.front().amplitudes.size() > 0 &&
-         logSumOf(all) + std::log(PriorOdds{}.shape) > std::log(least);
+         logSumOf(all) + std::log(PriorOdds{}.shape) > std::log(formThresholds.odds);
 }
 
 namespace {
 
 /// The forms that can enter an average: likely ones with known amplitudes.
 std::vector<WeighedForm> likelyOf(const std::vector<WeighedForm>& all) {
-  constexpr double least = -4;  // natural logarithm of the odds
-  constexpr std::size_t most = 6;
   std::vector<WeighedForm> likely;
   for (const WeighedForm& each : all)
-    if (likely.size() < most && each.amplitudes.size() > 0 &&
-        each.logPosterior() > all.front().logPosterior() + least)
+    if (likely.size() < formThresholds.mostAveraged && each.amplitudes.size() > 0 &&
+        each.logPosterior() > all.front().logPosterior() - formThresholds.averagedWithin)
       likely.push_back(each);
   return likely;
 }
@@ -33,9 +30,8 @@ std::vector<WeighedForm> likelyOf(const std::vector<WeighedForm>& all) {
 FoundForms findForms(FormSystem& system, const FormReadings& readings,
                      const std::vector<FormFamily>& families, const FormChoice& choice,
                      const std::stop_token& stop) {
-  constexpr std::size_t most = 3;
   FoundForms found;
-  while (found.forms.size() < most) {
+  while (found.forms.size() < formThresholds.mostForms) {
     const std::vector<WeighedForm> all = weighForms(system, readings, families, stop);
     if (all.empty() || !choice.isNamed(all)) break;
     const WeighedForm& first = all.front();

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <functional>
 #include <stop_token>
 #include <vector>
@@ -7,6 +8,26 @@
 #include "core/diagnosis/forms/found_form.h"
 
 namespace alidade {
+
+/// The conventions of naming a form, each with its reason.
+struct FormThresholds {
+  /// All forms together against no form: none is named in 600 simulated sessions without an effect.
+  double odds = 20;
+  /// Another form is sought if noise alone leaves as much in fewer sessions than this share: of forms that
+  /// leave noise alone, the fewest are reported.
+  double noiseAlone = 0.2;
+  std::size_t mostForms = 3;  ///< the readings of a session hardly determine more
+  /// A form that leaves noise alone may be less likely than the patterns by these odds: some of the patterns
+  /// resemble the form.
+  double nearlyAsLikely = 20;
+  double ofPatterns = 0.05;      ///< prior of all patterns against a form: they serve gaps without a form
+  std::size_t mostPatterns = 4;  ///< the others add less than these to the sum
+  double significant = 0.05;     ///< p-value of the F test on held-out readings
+  double averagedWithin = 4;     ///< natural logarithm of the odds: less likely forms are not averaged
+  std::size_t mostAveraged = 6;
+};
+
+inline constexpr FormThresholds formThresholds;
 
 struct FoundForms {
   std::vector<FoundForm> forms;
@@ -31,8 +52,8 @@ FoundForms findForms(FormSystem& system, const FormReadings& readings,
                      const std::vector<FormFamily>& families, const FormChoice& choice,
                      const std::stop_token& stop);
 
-/// Whether the odds of all forms together against no form reach 20 : 1, and the first form has amplitudes.
-/// The prior odds are those of a pattern.
+/// Whether the odds of all forms together against no form reach `FormThresholds::odds`, and the first form
+/// has amplitudes. The prior odds are those of a pattern.
 bool beatNothing(const std::vector<WeighedForm>& all);
 
 }  // namespace alidade

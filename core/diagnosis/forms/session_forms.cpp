@@ -11,6 +11,7 @@
 #include "core/diagnosis/forms/find_forms.h"
 #include "core/diagnosis/forms/form_trace.h"
 #include "core/diagnosis/forms/held_out_forms.h"
+#include "core/diagnosis/result/thresholds.h"
 #include "core/diagnosis/search/explained_model.h"
 
 namespace alidade {
@@ -111,18 +112,17 @@ class SessionForms {
 
   /// Whether the leftover is larger than noise alone leaves in four of five sessions.
   bool isAnythingLeft(const FormSystem& system, int numbers) const {
-    constexpr double usual = 0.2;
     const double freedom = static_cast<double>(m_full.degreesOfFreedom() - numbers - m_jumpColumns.cols());
-    return chiSquareUpperTail(system.left().squaredNorm() / system.variance(), freedom).value_or(0) < usual;
+    return chiSquareUpperTail(system.left().squaredNorm() / system.variance(), freedom).value_or(0) <
+           formThresholds.noiseAlone;
   }
 
   /// Whether the forms are likelier than no form and than the likeliest patterns. A form after which only
   /// noise is left may be a little less likely than the patterns, some of which resemble the form.
   bool isNamed(const std::vector<WeighedForm>& all) const {
-    constexpr double nearly = 20;
     if (!beatNothing(all)) return false;
     const double over = logSumOf(all) - logPatterns();
-    if (over > 0 || over < -std::log(nearly)) return over > 0;
+    if (over > 0 || over < -std::log(formThresholds.nearlyAsLikely)) return over > 0;
     const WeighedForm& first = all.front();
     FormSystem with = m_system;
     with.takeUp(formColumns(m_readings, first.form));
@@ -132,27 +132,24 @@ class SessionForms {
   /// Log odds (natural) of the likeliest patterns. Their prior is lower than that of forms, since they serve
   /// gaps without a form. Patterns of two columns are omitted, because a harmonic is a form itself.
   double logPatterns() const {
-    constexpr std::size_t most = 4;
-    constexpr double ofForms = 0.05;
     std::set<std::size_t> seen;
     double count = 0, sum = impossible;
     for (std::size_t i = 0; i < m_inquiry.candidates.size(); ++i)
       count += m_inquiry.candidates[i].isShape() ? 1 : 0;
     for (const Explanation& explanation : m_inquiry.explanations) {
-      if (!explanation.shaped || seen.size() == most) continue;
+      if (!explanation.shaped || seen.size() == formThresholds.mostPatterns) continue;
       const Component& pattern = m_inquiry.of(explanation.parts.back());
       if (pattern.columns() <= 2 || !seen.insert(explanation.parts.back().component).second) continue;
       const FormSystem::Products products = m_system.productsOf(pattern.wholeColumns(m_inquiry.leftover));
       const MatrixXd gram = products.gram(0, products.all.cols());
       sum = logSum(sum, gainOf(pattern.widths(), gram, products.right, m_system.variance()).log +
-                            std::log(ofForms / count));
+                            std::log(formThresholds.ofPatterns / count));
     }
     return sum;
   }
 
   /// Adds the effects of the catalogue, of any size, that look like the form.
   void addLookAlikes(const WeighedForm& first, FoundForm& found) const {
-    constexpr double alike = 3;  // σ
     const Leftover& bare = m_inquiry.leftover;
     const VectorXd trace = bare.visible(formColumns(m_readings, first.form) * first.amplitudes);
     for (std::size_t i = 0; i < m_inquiry.candidates.size(); ++i) {
@@ -160,7 +157,7 @@ class SessionForms {
       if (!component.isEffect()) continue;
       const MatrixXd columns = component.visibleColumns(bare).leftCols(component.weights());
       const VectorXd weights = columns.colPivHouseholderQr().solve(trace);
-      if ((trace - columns * weights).norm() < alike)
+      if ((trace - columns * weights).norm() < thresholds.hardlyDifferent)
         found.indistinguishableFrom.push_back({first.form, std::string(component.id())});
     }
   }
@@ -168,8 +165,7 @@ class SessionForms {
   /// Whether the forms also fit held-out readings. A walk or wave with many numbers fits any readings in
   /// which it was found.
   static bool predict(const FormShrinkage& shrink) {
-    constexpr double significant = 0.05;
-    return !(shrink.heldOut <= 0) || shrink.p < significant;
+    return !(shrink.heldOut <= 0) || shrink.p < formThresholds.significant;
   }
 
   DividedModel divided(const Leftover& leftover) const {

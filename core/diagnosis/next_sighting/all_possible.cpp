@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "core/diagnosis/observability/look_alikes.h"
+#include "core/diagnosis/result/thresholds.h"
 
 namespace alidade {
 
@@ -91,12 +92,13 @@ std::vector<std::string> inseparableFrom(const Weighed& cause, const SightingEqu
     constexpr double invisible = 1e-6;
     own.diagonal().array() += invisible;
     if (other.isBent) {
-      if (differenceFromBent(own, right, square) < hardlyDifferent) group.emplace_back(other.cause);
+      if (differenceFromBent(own, right, square) < thresholds.hardlyDifferent)
+        group.emplace_back(other.cause);
       continue;
     }
     const double left =
         other.widths ? square - right.dot(own.ldlt().solve(right)) : square - 2 * right[0] + own(0, 0);
-    if (left < hardlyDifferent * hardlyDifferent) group.emplace_back(other.cause);
+    if (left < thresholds.hardlyDifferent * thresholds.hardlyDifferent) group.emplace_back(other.cause);
   }
   return group;
 }

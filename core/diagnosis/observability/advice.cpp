@@ -11,6 +11,7 @@
 #include "core/diagnosis/candidates/jump_components.h"
 #include "core/diagnosis/observability/further_terms.h"
 #include "core/diagnosis/observability/look_alikes.h"
+#include "core/diagnosis/result/thresholds.h"
 #include "core/effects/cause_ids.h"
 #include "core/observation/observe.h"
 #include "core/observation/reading_ref.h"
@@ -57,7 +58,7 @@ class Distances {
         for (std::size_t j = 0; j < i; ++j)
           if (set >> j & 1) least = std::min(least, m_apart(static_cast<Index>(i), static_cast<Index>(j)));
       }
-      if (ids.size() < 2 || least < clearlyDifferent) continue;
+      if (ids.size() < 2 || least < thresholds.clearlyDifferent) continue;
       const bool isBetter = std::pair(ids.size(), odds) > std::pair(advice.separates.size(), most);
       if (!isBetter) continue;
       most = odds;
@@ -215,7 +216,7 @@ std::optional<Advice> revealing(const std::vector<Detectability>& undetectable, 
     const Effect* effect = effectById(detectability.effect, measurement);
     if (!effect) continue;
     const double visible = lengthOf(terms, combinationOf(*effect) * detectability.weights);
-    if (visible < clearlyDifferent) continue;
+    if (visible < thresholds.clearlyDifferent) continue;
     advice.bySigma = advice.separates.empty() ? visible : std::min(advice.bySigma, visible);
     advice.separates.emplace_back(detectability.effect);
   }
@@ -278,8 +279,7 @@ std::vector<Advice> separating(const Inquiry& inquiry, const std::vector<Possibl
   eachFurtherReadings(inquiry.base, tryOut);
   offer(bySightingZeros(*inquiry.base.measurement, suspects));
   offer(byMeasuringDistances(*inquiry.base.measurement, suspects));
-  constexpr double sure = 0.95;
-  const auto isSure = [](const Advice& advice) { return advice.oneLeft > sure; };
+  const auto isSure = [](const Advice& advice) { return advice.oneLeft > thresholds.certain; };
   if (std::ranges::none_of(list, isSure)) eachCombination(inquiry.base, tryOut);
   keepUsefulCombinations(list);
   return list;

@@ -30,9 +30,4 @@ class Trace {
 /// belongs to its columns and second derivatives, `right` are their products with the trace.
 double differenceFromBent(const Eigen::MatrixXd& gram, const Eigen::VectorXd& right, double square);
 
-/// Distance, σ, at which two effects are confused in 7 % of the cases: not reliably separated.
-inline constexpr double hardlyDifferent = 3.0;
-/// Distance, σ, at which two effects are confused in 2 % of the cases: separated, if the readings agree.
-inline constexpr double clearlyDifferent = 4.2;
-
 }  // namespace alidade

@@ -8,13 +8,14 @@
 #include "core/base/square.h"
 #include "core/diagnosis/candidates/jump_components.h"
 #include "core/diagnosis/observability/look_alikes.h"
+#include "core/diagnosis/result/thresholds.h"
 
 namespace alidade {
 
 using Eigen::VectorXd;
 
 bool Detectability::isUndetectable() const {
-  return influence > negligibleInfluence && visible < clearlyDifferent;
+  return influence > thresholds.negligibleInfluence && visible < thresholds.clearlyDifferent;
 }
 
 Detectability detectabilityOf(const Component& component, const SharedProducts& perReading) {

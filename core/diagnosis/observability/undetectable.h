@@ -9,9 +9,6 @@ namespace alidade {
 
 // Effects that change Δd without a visible trace in these readings.
 
-/// Influences on Δd below this limit are not reported, mm.
-inline constexpr double negligibleInfluence = 1e-3;
-
 /// The detectability of an effect of plausible size, or of its known uncertainty. Its numbers have the
 /// direction that changes Δd most, with the less visible of both signs.
 struct Detectability {

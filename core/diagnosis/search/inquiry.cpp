@@ -12,6 +12,7 @@
 #include "core/diagnosis/candidates/jump_components.h"
 #include "core/diagnosis/candidates/shape_components.h"
 #include "core/diagnosis/gap/every_effect.h"
+#include "core/diagnosis/result/thresholds.h"
 #include "core/diagnosis/search/explained_model.h"
 #include "core/diagnosis/search/pause.h"
 #include "core/effects/cause_ids.h"
@@ -163,9 +164,8 @@ constexpr double knownNoiseTo = 0.2;  // change of ln noise below which the sear
 /// Returns the scale of the noise if the model is closed and the noise almost certainly larger than stated;
 /// otherwise 1. Pointing zeros with stated σ then get a larger weight.
 double knownNoise(const Inquiry& inquiry) {
-  constexpr double certain = 0.95;
   const bool isLarger = inquiry.base.options.isClosed && inquiry.explanations.front().noisy &&
-                        inquiry.probabilityOf(noiseId) > certain;
+                        inquiry.probabilityOf(noiseId) > thresholds.certain;
   return isLarger ? inquiry.explanations.front().noise : 1;
 }
 

@@ -11,6 +11,7 @@
 
 #include "core/base/phrase.h"
 #include "core/base/statistics.h"
+#include "core/diagnosis/result/thresholds.h"
 #include "core/effects/cause_ids.h"
 #include "core/series/shared_causes/searched_series.h"
 #include "core/session/own_effects.h"
@@ -170,7 +171,6 @@ class Conclusion {
   /// Chooses the likeliest set, or a smaller subset that is nearly as good; the empty set unless one is
   /// likely enough. An uncatalogued pattern is included if it is likelier than all catalogued effects.
   void choose() {
-    constexpr double nearlyAsGood = 2, certain = 0.95;  // natural log of odds; probability with a pattern
     const auto nothing = std::ranges::find_if(m_sets, [](const SharedSet& set) { return set.parts.empty(); });
     const double unknown = chanceOfPattern();
     const bool isUnknown = unknown > 1 - nothing->chance - unknown;
@@ -180,11 +180,11 @@ class Conclusion {
     m_best = *nothing;
     if (best == m_sets.end() || 1 - nothing->chance < namedFrom) return;
     const SharedSet* simplest = &*best;
-    const double enough = isUnknown ? certain : namedFrom;
+    const double enough = isUnknown ? thresholds.certain : namedFrom;
     for (const SharedSet& other : m_sets)
       if (!other.parts.empty() && other.isShaped() == isUnknown &&
           other.parts.size() < simplest->parts.size() &&
-          other.logPosteriorOdds > best->logPosteriorOdds - nearlyAsGood && isPartOf(other, *best))
+          other.logPosteriorOdds > best->logPosteriorOdds - thresholds.nearlyAsGood && isPartOf(other, *best))
         simplest = &other;
     m_best = *simplest;
     // Drops a part that, together with its look-alikes, is not likely enough to be named.

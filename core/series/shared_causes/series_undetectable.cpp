@@ -1,3 +1,4 @@
+#include "core/diagnosis/result/thresholds.h"
 #include "core/series/shared_causes/searched_series.h"
 
 #include <algorithm>
@@ -7,7 +8,6 @@
 namespace alidade {
 
 void addUndetectable(SeriesDiagnosis& diagnosis, const SearchedSeries& series) {
-  constexpr double negligible = 1e-3;  // mm
   for (const EffectColumns& columns : series.evidence.front().columns->effects()) {
     if (columns.effect->response == Response::AllOrNothing) continue;
     if (std::ranges::find(series.leftOut, columns.effect->id) != series.leftOut.end()) continue;
@@ -21,7 +21,7 @@ void addUndetectable(SeriesDiagnosis& diagnosis, const SearchedSeries& series) {
       normal += series.sums[s].plainNormal(columns, columns);
     }
     const double moves = influence.norm();
-    if (!(moves > negligible)) continue;
+    if (!(moves > thresholds.negligibleInfluence)) continue;
     const Eigen::VectorXd along = influence / moves;
     Eigen::VectorXd weights = Eigen::VectorXd::Zero(normal.cols());
     weights.head(count) = along;

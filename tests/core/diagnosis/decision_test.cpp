@@ -11,6 +11,7 @@
 #include <utility>
 
 #include "core/base/statistics.h"
+#include "core/diagnosis/result/thresholds.h"
 #include "core/effects/cause_ids.h"
 #include "tests/support/paper_table.h"
 
@@ -138,9 +139,9 @@ TEST_F(Decision, StatesTheProbabilityOfConformance) {
 
 TEST_F(Decision, IsOpenWhereTheGapIsUnexplained) {
   Diagnosis diagnosis = found("collimation", 1.3, 0.2);
-  diagnosis.unexplained.chance = mostUnexplained;
+  diagnosis.unexplained.chance = thresholds.mostUnexplained;
   EXPECT_EQ(at(2.5, &diagnosis).verdict, Verdict::Accept);
-  diagnosis.unexplained.chance = mostUnexplained + 1e-9;
+  diagnosis.unexplained.chance = thresholds.mostUnexplained + 1e-9;
   const AcceptanceDecision decision = at(2.5, &diagnosis);
   EXPECT_EQ(decision.verdict, Verdict::Undecided);
   EXPECT_EQ(decision.asModelled, Verdict::Accept);

@@ -13,6 +13,7 @@
 
 #include "core/diagnosis/candidates/effect_components.h"
 #include "core/diagnosis/observability/look_alikes.h"
+#include "core/diagnosis/result/thresholds.h"
 #include "core/effects/cause_ids.h"
 #include "core/simulation/simulate.h"
 #include "tests/support/paper_table.h"
@@ -78,7 +79,7 @@ const Advice* adviceTo(Measure measure, const std::vector<Advice>& list) {
 void expectInOrder(const std::vector<Advice>& list) {
   ASSERT_GT(list.size(), 1u);
   for (std::size_t i = 0; i < list.size(); ++i) {
-    EXPECT_GE(list[i].bySigma, clearlyDifferent);
+    EXPECT_GE(list[i].bySigma, thresholds.clearlyDifferent);
     if (i == 0) continue;
     EXPECT_GE(list[i - 1].oneLeft + 0.05, list[i].oneLeft);
   }
@@ -223,7 +224,7 @@ TEST(Advice, TellsWhatWouldShowTheUnseenWhereNothingIsToBeToldApart) {
       for (const auto& [id, size] :
            {std::pair{ErrorTerm::VerticalDrift, 15.0}, {ErrorTerm::HorizontalDrift, -15.0}}) {
         const double visible = std::sqrt(modelBy(protocol, {{id, size}}).fit->chiSquare);
-        if (visible < clearlyDifferent) continue;
+        if (visible < thresholds.clearlyDifferent) continue;
         least = shown.empty() ? visible : std::min(least, visible);
         shown.emplace_back(effectOf(id)->id);
       }

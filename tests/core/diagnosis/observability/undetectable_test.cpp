@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "core/adjustment/result/session_fit.h"
+#include "core/diagnosis/result/thresholds.h"
 #include "core/diagnosis/search/inquiry.h"
 #include "core/diagnosis/visibility.h"
 #include "core/simulation/simulate.h"
@@ -62,13 +63,13 @@ TEST_P(Undetectable, EffectsShowAndMoveTheIntersectionAsSessionsThatHoldThem) {
 // An index error is equal in all readings of one face and in the zeros, so Δd does not change.
 TEST_P(Undetectable, WhatDoesNotMoveTheIntersectionIsNoDanger) {
   const Detectability detectability = detectabilityOf(find("vertical_index"), perReading);
-  EXPECT_LT(detectability.influence, negligibleInfluence);
+  EXPECT_LT(detectability.influence, thresholds.negligibleInfluence);
   EXPECT_FALSE(detectability.isUndetectable());
   Candidates candidates;
   candidates.add(effects, PriorOdds().effect);
   for (const Detectability& undetectable : undetectableEffects(leftover, candidates, influence)) {
     EXPECT_NE(undetectable.effect, "vertical_index");
-    EXPECT_GT(undetectable.influence, negligibleInfluence);
+    EXPECT_GT(undetectable.influence, thresholds.negligibleInfluence);
   }
 }
 
