@@ -22,7 +22,7 @@ bool Application::event(QEvent* event) {
   return isKnown;
 }
 
-/// Queued, since a dialog must not open inside the failed handler. Each reason opens one dialog.
+/// Emits `failed` once per reason, after the event: a dialog must not open inside the failed handler.
 void Application::report(const QString& reason) {
   if (m_reported.contains(reason)) return;
   m_reported.insert(reason);

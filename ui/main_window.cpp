@@ -111,7 +111,7 @@ void MainWindow::say(const QString& text, int milliseconds) {
   statusBar()->showMessage(visibleLine(text), milliseconds);
 }
 
-/// Files of the session and of the instrument check, and the logo of reports.
+/// The files that no output may overwrite: of the session, of the instrument check, and the logo of reports.
 QStringList MainWindow::readFiles() const {
   QStringList files = m_document.paths() + m_document.readPaths() + m_sideWindows->readFiles();
   if (const QString logo = rememberedReportChoice().logoPath; !logo.isEmpty()) files.append(logo);

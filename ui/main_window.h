@@ -31,7 +31,7 @@ class SideWindows;
 class StartPage;
 class WindowActions;
 
-/// The main window. It connects its parts, which do the work.
+/// The main window. Creates its parts and connects them.
 class MainWindow : public QMainWindow {
   Q_OBJECT
 
@@ -52,7 +52,7 @@ class MainWindow : public QMainWindow {
   ResultColumn& results() { return *m_results; }
   SideWindows& sideWindows() { return *m_sideWindows; }
   ReadingsTable* currentTable() const;
-  /// The tabs at the right of the picture of the arcs and below it.
+  /// The tabs beside the picture of the arcs, then the tabs below the picture.
   QList<PageTabs*> pageTabs() const;
 
   /// Shows the entry at `place`: selects its tab and row, and focuses the entry if `takeFocus`.
@@ -61,12 +61,12 @@ class MainWindow : public QMainWindow {
   void commitPending();
   void undo();
   void redo();
-  /// Adds a position at `axisDeg` (0 or 180), or a repeat if both exist, and shows its pointing zero.
+  /// Adds a position at `axisDeg` (0 or 180), or a repeat if 0° and 180° exist, and shows its pointing zero.
   void addPosition(int axisDeg);
   void setColumnShown(ReadingColumn column, bool shown);
   /// Keeps unsaved changes in `folder` from now on, and shows other windows which files are open.
   void keepIn(const QString& folder);
-  /// Keeps everything unsaved or unfinished before it returns, since the process is about to end.
+  /// Writes every unsaved change and unfinished entry before it returns; the process is about to end.
   void keepNow();
   /// Offers unsaved changes of a crashed window. False: there are none.
   bool offerRecovery();

@@ -211,8 +211,8 @@ void WindowActions::createEditMenu(QToolBar& bar) {
   bar.addActions({insert, remove, exclude});
 }
 
-/// Adds three actions, enabled if a reading looks misread, if a correction is proposed, and if a recorded
-/// entry was just changed.
+/// Adds three actions. The first is enabled if a reading looks misread, the second if a correction is
+/// proposed, the third if a recorded entry was just changed.
 void WindowActions::addSuspectActions(QMenu& menu) {
   menu.addSeparator();
   SuspectBar* suspects = m_window.entries().suspects();
@@ -237,7 +237,7 @@ void WindowActions::addSuspectActions(QMenu& menu) {
   connect(reason, &ChangeReasonBar::askingChanged, state, &QAction::setEnabled);
 }
 
-/// Adds the actions that add rows in the order of sighting or go to an entry.
+/// Adds the actions for further rows (way back, another round), and for moving to an entry.
 void WindowActions::addEntryActions(QMenu& menu) {
   QMenu* rows = menu.addMenu(tr("Add Ro&ws"));
   const std::pair<QString, FurtherRows> ways[] = {{tr("&Way Back"), FurtherRows::WayBack},
@@ -257,7 +257,7 @@ void WindowActions::addEntryActions(QMenu& menu) {
           [this, axis = axisDeg] { m_window.entry().goToAxis(axis); });
 }
 
-/// Adds actions for a missing position, or for a repeat if both exist.
+/// Adds an action for each axis angle: it adds the missing position, or a repeat if 0° and 180° exist.
 void WindowActions::addPositionActions(QMenu& menu) {
   menu.addSeparator();
   const SessionDocument& document = m_window.document();
@@ -292,7 +292,7 @@ void WindowActions::addPositionActions(QMenu& menu) {
   move->setText(tr("Move Readings"));
 }
 
-/// Asks before it removes a position with typed sightings.
+/// Removes the current position; asks first if the position has typed sightings.
 void WindowActions::removePosition() {
   m_window.commitPending();
   const Session& session = m_window.document().session();
@@ -407,7 +407,7 @@ void WindowActions::addPageActions(QMenu& menu) {
   }
 }
 
-/// Adds the action to the menu, and as a button at the end of the tabs.
+/// Adds the action to the menu, and a button for it at the end of the tabs.
 void WindowActions::addEnlargeAction(QMenu& menu) {
   m_enlarge = addTo(menu, nullptr, tr("&Enlarge Lower Pages"), QKeySequence(tr("Ctrl+0")), this, [] {});
   m_enlarge->setCheckable(true);

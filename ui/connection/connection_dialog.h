@@ -25,7 +25,7 @@ class ConnectionDialog : public QDialog {
   bool saveLog();
   /// Shows a sentence about the connection, and adds it to the log.
   void showRemark(const QString& sentence);
-  /// Clears the sentence, but not in the log.
+  /// Clears the shown sentence; the log keeps it.
   void clearRemark();
 
  signals:

@@ -7,7 +7,7 @@
 
 namespace alidade::ui {
 
-/// Settings of a connection to an instrument, remembered; baud rate, bits and parity for each protocol.
+/// Settings of a connection to an instrument. All are remembered; baud rate, bits and parity by protocol.
 struct ConnectionSettings {
   enum class Protocol { GeoCom, Gsi };
   enum class Parity { None, Even, Odd };

@@ -10,8 +10,8 @@
 
 namespace alidade::ui {
 
-/// The connection to an instrument: a serial port and the protocol on it. Never blocks: everything arrives as
-/// signals.
+/// The connection to an instrument: a serial port and the protocol on it. No function blocks: replies and
+/// readings arrive as signals.
 class InstrumentLink : public QObject {
   Q_OBJECT
 
@@ -19,7 +19,7 @@ class InstrumentLink : public QObject {
   explicit InstrumentLink(QObject* parent = nullptr);
   ~InstrumentLink() override;
 
-  /// Closes an open connection, then opens the port. Returns false if that failed; `remark` gives the reason.
+  /// Closes an open connection, then opens the port. Returns false on failure; `remark` gives the reason.
   bool open(const ConnectionSettings& settings, const TalkCircles& circles);
   void close();
   /// Requests a reading of the present pointing.
@@ -33,12 +33,12 @@ class InstrumentLink : public QObject {
   const ConnectionSettings& settings() const { return m_settings; }
 
  signals:
-  void stateChanged();  ///< opened, closed, taking, idle, identified
+  void stateChanged();  ///< after opening, closing and every step of the protocol
   void identified();
-  void succeeded();  ///< the port was opened, or a reply or reading arrived: earlier failures are over
+  void succeeded();  ///< the port was opened, or an identity or reading arrived; ends earlier failures
   void readingTaken(const alidade::InstrumentReading& reading);
   void remark(const QString& sentence);
-  void line(bool isSent, const QString& shown);  ///< as transmitted, with invisible characters escaped
+  void line(bool isSent, const QString& shown);  ///< `shown`: the line with escaped invisible characters
 
  private:
   void receive();

@@ -24,11 +24,11 @@ struct ReadingDoubts {
   Q_DECLARE_TR_FUNCTIONS(ReadingDoubts)
 };
 
-/// Sightings of the pointing zero from one set-up differ by less; two targets at a bench differ by more.
+/// Two sightings of the pointing zero from one set-up differ by less than this angle, two targets by more.
 constexpr Angle zeroTolerance = Angle::fromDegrees(1);
-/// Angles that differ by less are identical, since no circle has a finer resolution.
+/// Two angles count as equal if they differ by less than this, since no circle has a finer resolution.
 constexpr double sameWithin = 1e-4;  // arcsec
-/// A position with more rows is compared by the typed texts only.
+/// In a position with more rows than this, only the typed texts are compared.
 constexpr std::size_t mostCompared = 10'000;
 constexpr int longestSerial = 40;
 
@@ -203,7 +203,7 @@ class Doubts {
               .arg(qText(faceName(m_reading.face)), qText(faceName(face))));
   }
 
-  /// The entry that would be overwritten: a reading, or a sighting of the zero.
+  /// The angles already entered at the landing, which the reading replaces; empty if there are none.
   QString overwritten() const {
     if (!m_landing.row) {
       const ZeroSighting zero = zeroAt(m_session, m_landing.position(), m_landing.zero);
@@ -228,7 +228,7 @@ class Doubts {
                               .arg(zeroName(m_landing.zero), there));
   }
 
-  /// The reading expected from the protocol, else from the rows.
+  /// The reading that the protocol predicts, else the one that the rows predict; absent if neither does.
   std::optional<ExpectedReading> expected() const {
     const EntryToCome& entry = m_landing.entry;
     const Guide* guide = m_evaluation.guide.get();
@@ -267,7 +267,7 @@ class Doubts {
     m_landing.row ? doubtZeroInRow() : doubtZero();
   }
 
-  /// Doubts a reading in a row without an expected reading if the instrument points at the pointing zero.
+  /// Objects to a reading for a row if the instrument points at the pointing zero.
   void doubtZeroInRow() {
     if (looksAt(m_reading, m_session, m_landing.position(), zeroTolerance))
       say(ReadingDoubts::tr("The instrument points at the pointing zero: is it the right target?"));

@@ -11,10 +11,10 @@
 
 namespace alidade::ui {
 
-/// The data of earlier readings over the connection with which a new reading is compared.
+/// Earlier readings over the connection with their data, for comparison with a new reading.
 class TakenBefore {
  public:
-  /// The number of readings kept; an instrument buffers fewer.
+  /// Only this many of the last readings are stored; an instrument buffers fewer.
   static constexpr std::size_t mostKept = 16;
 
   void add(const InstrumentReading& reading, std::size_t position);
@@ -33,8 +33,8 @@ class TakenBefore {
 };
 
 /// Objections to a reading, after a sentence that names its entry and its values; empty if there are none.
-/// Objections are: axis not turned, another instrument, no guarantee by the instrument, other corrections,
-/// repeated reading, other face, existing entry, another target.
+/// The function objects to an axis that was not turned, another instrument, a reading that the instrument
+/// does not guarantee, new corrections, a repeated reading, the other face, a typed entry and another target.
 QString readingQuestion(const Evaluation& evaluation, const Landing& landing,
                         const InstrumentReading& reading, const TakenBefore& before);
 

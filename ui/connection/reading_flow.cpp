@@ -26,7 +26,7 @@ ReadingFlow::ReadingFlow(SessionDocument& document, QObject* parent)
         change.kind == SessionChange::Kind::Everything || change.kind == SessionChange::Kind::Positions;
     if (isOfOthers) m_before = {};
   });
-  // Queued, since a committed entry ends before it changes the session.
+  // Queued, since `HalfTyped` drops a committed entry before the session receives that entry.
   connect(
       &document.halfTyped(), &HalfTyped::changed, this,
       [this] {
@@ -40,7 +40,7 @@ ReadingFlow::ReadingFlow(SessionDocument& document, QObject* parent)
 void ReadingFlow::add(const InstrumentReading& reading) {
   m_waiting.push_back(reading);
   if (reading.takenAt.empty()) m_waiting.back().takenAt = timeOfNow();
-  if (!m_question.isEmpty()) emit questionChanged();  // one more is waiting
+  if (!m_question.isEmpty()) emit questionChanged();  // the bar shows how many readings wait
   proceed();
   emit heldChanged();
 }
@@ -49,7 +49,7 @@ bool ReadingFlow::isHeld() const {
   return !m_waiting.empty() && m_document.halfTyped().isOpenInPosition();
 }
 
-/// Drops the current question and compares the reading again, since the entry may have been typed meanwhile.
+/// Drops the question and examines the first waiting reading again: the user may have typed its entry.
 void ReadingFlow::setEvaluation(const SharedEvaluation& evaluation) {
   m_evaluation = evaluation;
   ask({});

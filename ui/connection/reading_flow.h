@@ -14,16 +14,16 @@ namespace alidade::ui {
 
 class SessionDocument;
 
-/// Stores readings of an instrument in the session, one after the other. Each is stored once the previous one
-/// is evaluated, so that it can be compared with the expected reading. A doubtful reading (`readingQuestion`)
-/// waits for an answer, and later ones wait behind it. Never blocks or loses a reading.
+/// Stores readings of an instrument in the session, one after the other. Each reading waits until the
+/// previous one is evaluated, so that the expected reading is known. A doubtful reading (`readingQuestion`)
+/// waits for an answer, and later readings wait behind it. Never blocks the window, never loses a reading.
 class ReadingFlow : public QObject {
   Q_OBJECT
 
  public:
   explicit ReadingFlow(SessionDocument& document, QObject* parent = nullptr);
 
-  /// Where the next reading goes: the position in front, and the selected row if the user chose that setting.
+  /// Where the next reading goes: the position in front and, with `intoSelected`, its selected row.
   struct Front {
     std::size_t position = 0;
     std::optional<std::size_t> selected = {};
@@ -35,7 +35,7 @@ class ReadingFlow : public QObject {
   /// The evaluation of the current session; the next change of the session drops it.
   void setEvaluation(const SharedEvaluation& evaluation);
 
-  /// These two answer the current question: they store the reading or discard it.
+  /// `takeAnyway` stores the reading in question, `discard` drops it.
   void takeAnyway();
   void discard();
 
@@ -58,7 +58,7 @@ class ReadingFlow : public QObject {
 
   SessionDocument& m_document;
   std::function<Front()> m_front;
-  SharedEvaluation m_evaluation;  ///< null: the session has changed since
+  SharedEvaluation m_evaluation;  ///< null if the session changed after the last evaluation
   std::deque<InstrumentReading> m_waiting;
   TakenBefore m_before;
   QString m_question;  ///< about the first waiting reading

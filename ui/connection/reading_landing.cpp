@@ -25,7 +25,7 @@ struct ReadingLanding {
   Q_DECLARE_TR_FUNCTIONS(ReadingLanding)
 };
 
-/// Sightings of one pointing zero differ by less than this, whatever the errors of the instrument.
+/// Sightings of one pointing zero differ by less than this angle, whatever the errors of the instrument.
 constexpr Angle zeroWithin = Angle::fromDegrees(0.5);
 
 int faceOf(const Reading& row) {
@@ -60,7 +60,7 @@ bool isEmptyZero(const ZeroSighting& zero) {
   return zero.horizontal.empty() && zero.vertical.empty();
 }
 
-/// The open row with the expected point and round in the face of the reading, if there is one; else the
+/// The open row that has the expected point and round, and the face of the reading; if there is none, the
 /// expected row.
 std::size_t rowInItsFace(const Session& session, const EntryToCome& entry, int face) {
   const std::vector<Reading>& rows = session.positions[entry.position].readings;
@@ -90,7 +90,7 @@ std::optional<Landing> furtherZero(const Session& session, std::size_t position,
   return landing;
 }
 
-/// The existing or the next row, with the reading entered.
+/// The row of the landing, or a new row after the last one, with the reading entered into it.
 Reading landedRow(const SessionDocument& document, const Landing& landing, const InstrumentReading& reading) {
   const std::vector<Reading>& rows = document.session().positions[landing.position()].readings;
   Reading row = *landing.row < rows.size()
@@ -131,7 +131,7 @@ std::optional<Landing> nextLanding(const Evaluation& evaluation, std::size_t her
                                    const InstrumentReading& reading) {
   const Session& session = evaluation.session;
   if (here >= session.positions.size() || isBeyondSession(evaluation)) return std::nullopt;
-  const bool isTyped = !evaluation.next.empty();  // else the session has more rows than anyone types
+  const bool isTyped = !evaluation.next.empty();  // false: more than 10 000 rows (`nextReadings`)
   const auto entry = isTyped ? entryToCome(evaluation, here) : entryToComeOf(session, here);
   const bool isRow = !entry || entry->zero.empty();
   if (isRow && !isLed(evaluation))

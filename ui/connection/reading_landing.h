@@ -17,13 +17,13 @@ class SessionDocument;
 /// The row or pointing zero that receives a reading of an instrument.
 struct Landing {
   EntryToCome entry = {};               ///< the entry expected next by the protocol, or by the rows
-  std::optional<std::size_t> row = {};  ///< its index, past the last for a new row; absent: a pointing zero
+  std::optional<std::size_t> row = {};  ///< row index, one past the last for a new row; absent: a zero
   std::string zero = {};                ///< "pointing_zero", "pointing_zero.face_2", …; empty: a row
-  bool isProposed = false;              ///< not expected, but the reading points at this zero
+  bool isProposed = false;              ///< this zero was not expected, but the reading points at it
   bool isChosen = false;                ///< the user selected the row, whatever entry is next
 
   std::size_t position() const { return entry.position; }
-  Place place() const;  ///< place of its horizontal reading
+  Place place() const;  ///< the place of the horizontal reading
 };
 
 /// The expected zero or open row (`entryToCome`) while position `here` is in front; a row in the face of the
@@ -47,8 +47,8 @@ FaceOneReading inFaceOne(const InstrumentReading& reading, const Session& sessio
 /// True if either circle differs from the expected one by more than `tolerance`.
 bool isFar(const FaceOneReading& read, const FaceOneReading& expected, Angle tolerance);
 
-/// True if the reading points at the pointing zero of the position. Any two targets at a bench differ by more
-/// than `tolerance`.
+/// True if both circles differ by at most `tolerance` from the position's pointing zero. Choose `tolerance`
+/// smaller than the angle between any two targets.
 bool looksAt(const InstrumentReading& reading, const Session& session, std::size_t position, Angle tolerance);
 
 }  // namespace alidade::ui

@@ -9,7 +9,7 @@ class WireLog : public QPlainTextEdit {
   Q_OBJECT
 
  public:
-  /// The number of lines kept: two lines a second for a working day.
+  /// The log drops the oldest lines beyond this number, enough for two lines a second on a working day.
   static constexpr int mostLines = 50'000;
 
   explicit WireLog(QWidget* parent = nullptr);

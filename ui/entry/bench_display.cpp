@@ -35,7 +35,7 @@ void setColour(QLabel& label, const QColor& colour) {
   label.setPalette(coloured);
 }
 
-/// Sets the letter height, reduced if the text would be wider than `width` pixels.
+/// Sets the letter height, or a smaller one at which the text is at most `width` pixels wide.
 void setHeightWithin(QLabel& label, double pixels, int width) {
   setHeight(label, pixels);
   const int wide = label.sizeHint().width();

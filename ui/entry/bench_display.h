@@ -12,8 +12,8 @@ namespace alidade::ui {
 class ToleranceBar;
 
 /// A display to be read from the tripod, in letters as large as the window allows. It shows the next entry
-/// with its expected angles, the last entry with any doubt, and the headline with further lines in small
-/// type. What is typed goes to the main window.
+/// with its expected angles, any doubt about the last reading, and the headline with further lines in small
+/// type. Keys other than Escape go to the main window.
 class BenchDisplay : public QWidget {
   Q_OBJECT
 
@@ -37,7 +37,7 @@ class BenchDisplay : public QWidget {
   void showHeadline();
   void fitText();
 
-  SharedEvaluation m_evaluation;  ///< null before the first
+  SharedEvaluation m_evaluation;  ///< null before the first evaluation
   std::size_t m_position = 0;
   QString m_doubt;
   Headline m_headline;

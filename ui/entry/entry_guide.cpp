@@ -30,7 +30,7 @@ void EntryGuide::goToAxis(int axisDeg) {
   const auto& positions = m_document.session().positions;
   const int count = static_cast<int>(positions.size());
   const ReadingsTable* table = m_positions.currentTable();
-  // Starts after the position in front if that has the focus, else at the first position.
+  // If the table in front has the focus, the search starts after its position, else at the first position.
   const int begin = table && table->hasFocus() ? m_positions.currentIndex() + 1 : 0;
   for (int i = 0; i < count; ++i) {
     const int position = (begin + i) % count;
@@ -65,7 +65,7 @@ void EntryGuide::goTo(const EntryToCome& next) {
   table->setFocus(Qt::ShortcutFocusReason);
 }
 
-/// Focuses the missing circle of a pointing zero.
+/// Focuses the first circle of a pointing zero that has no reading.
 void EntryGuide::goToMissingOf(std::size_t position, const std::string& zero) {
   for (const char* circle : {".horizontal", ".vertical"})
     if (const Place place{.position = position, .field = zero + circle};
@@ -73,8 +73,8 @@ void EntryGuide::goToMissingOf(std::size_t position, const std::string& zero) {
       return emit revealWanted(place);
 }
 
-/// Moves the focus if the protocol's next sighting is a pointing zero or in another position. Does not move
-/// from readings back to a missing zero before them while the position in front lacks readings.
+/// Moves the focus if the protocol's next sighting is a pointing zero or in another position. While the
+/// position in front lacks readings, a zero that was skipped before existing readings does not move it.
 void EntryGuide::goOn() {
   const Session& session = m_document.session();
   const auto progress = progressIn(session, m_document.chosenSighting());
@@ -113,7 +113,7 @@ void EntryGuide::takeDigit(QKeyEvent& event) {
 
 void EntryGuide::reportEntry(const QString& doubt) {
   if (m_bench) m_bench->setDoubt(doubt);
-  QTimer::singleShot(0, this, &EntryGuide::goOn);  // after the key that ended the entry
+  QTimer::singleShot(0, this, &EntryGuide::goOn);  // after the event of the key that ended the entry
   if (doubt.isEmpty()) return;
   emit remark(doubt);
   if (hasTone()) QApplication::beep();

@@ -18,17 +18,17 @@ class BenchDisplay;
 class PositionTabs;
 class SessionDocument;
 
-/// Leads the keyboard to the next missing entry, and reports expected readings and deviations from them.
+/// Moves the keyboard focus to the next missing entry; reports the next reading, and doubts about typed ones.
 class EntryGuide : public QObject {
   Q_OBJECT
 
  public:
   EntryGuide(SessionDocument& document, PositionTabs& positions, QWidget& window);
 
-  /// Leads to the next entry of a position at axis angle `axisDeg` (0 or 180). If such a position has the
-  /// focus, leads to the next position at that axis angle.
+  /// Focuses the next entry of a position at axis angle `axisDeg` (0 or 180). The search starts after the
+  /// position that has the focus, if any. Asks for a new position if none has this axis angle.
   void goToAxis(int axisDeg);
-  /// Leads to the next missing entry: a missing length, then `entryToCome`.
+  /// Focuses the next missing entry (`entryToLeadTo`): a missing length comes first.
   void goToNextEntry();
   void setLargeDisplayShown(bool shown);
   void toggleLargeDisplay();
@@ -36,10 +36,10 @@ class EntryGuide : public QObject {
   void setHeadline(const Headline& headline);
 
  signals:
-  void commitWanted();  ///< unfinished entries must be committed first
+  void commitWanted();  ///< asks to commit unfinished entries before the focus moves
   void revealWanted(const Place& place);
   void positionWanted(int axisDeg);
-  void nextChanged(const QString& text);  ///< the next reading; may be empty
+  void nextChanged(const QString& text);  ///< names the next reading; empty before the first evaluation
   void remark(const QString& text);
 
  private:
@@ -55,7 +55,7 @@ class EntryGuide : public QObject {
   PositionTabs& m_positions;
   QWidget& m_window;
   BenchDisplay* m_bench = nullptr;  ///< null until first shown
-  SharedEvaluation m_evaluation;    ///< null before the first
+  SharedEvaluation m_evaluation;    ///< null before the first evaluation
   Headline m_headline;
 };
 

@@ -11,7 +11,7 @@ class FindBar;
 class PositionTabs;
 class SessionDocument;
 
-/// Leads through the occurrences of a text in the readings.
+/// Finds a text in the readings, one occurrence after the other.
 class ReadingsFinder : public QObject {
   Q_OBJECT
 
@@ -22,7 +22,7 @@ class ReadingsFinder : public QObject {
   void findAgain(bool forward);  ///< finds the last text again; asks if there is none
 
  signals:
-  void commitWanted();  ///< unfinished entries must be committed, to be searched too
+  void commitWanted();  ///< asks to commit unfinished entries, so that they are searched too
   void found(const Place& place, bool takeFocus);
 
  private:

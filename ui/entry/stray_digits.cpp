@@ -15,7 +15,7 @@ namespace alidade::ui {
 
 namespace {
 
-/// True for a digit without modifier keys, with which an angle or a length begins.
+/// True for a digit typed without modifier keys: it may begin an angle or a length.
 bool beginsANumber(const QKeyEvent& event) {
   const auto modifiers = event.modifiers() & ~Qt::KeypadModifier;
   const QString text = event.text();
@@ -45,7 +45,7 @@ bool StrayDigits::eventFilter(QObject* watched, QEvent* event) {
   const auto* widget = qobject_cast<QWidget*>(watched);
   if (!widget || widget != (focus ? focus : &m_window) || widget->window() != &m_window) return false;
   if (!beginsANumber(*key) || takesText(widget)) return false;
-  const QScopedValueRollback forwarding(m_isForwarding, true);  // else an ignored digit would come back
+  const QScopedValueRollback forwarding(m_isForwarding, true);  // else the filter catches the forwarded digit
   emit typed(key);
   return true;
 }

@@ -10,7 +10,7 @@ namespace alidade::ui {
 class FieldBinding;
 class SessionDocument;
 
-/// One of a field's possible texts with its label. An empty text means the first choice.
+/// One of a field's possible texts with its label. A field without text shows the first choice.
 struct Choice {
   QString text, caption;
 };
@@ -27,7 +27,7 @@ class FieldChoice : public QComboBox {
 
  protected:
   void keyPressEvent(QKeyEvent* event) override;  ///< Enter moves to the next entry
-  void wheelEvent(QWheelEvent* event) override;   ///< scrolls the form, never the choice
+  void wheelEvent(QWheelEvent* event) override;   ///< scrolls the form; never changes the choice
 
  private:
   void refresh();

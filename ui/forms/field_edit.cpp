@@ -62,7 +62,7 @@ void FieldEdit::refresh() {
   update();
 }
 
-/// The hint, below the whole text if that may be too long for the field or has invisible characters.
+/// The hint; before it the whole text, if the text may not fit the field or has invisible characters.
 QString FieldEdit::tip(const QString& typed) const {
   constexpr int usuallyFits = 40;
   if (m_shows == Shows::Angle || (typed.size() <= usuallyFits && visibleLine(typed) == typed)) return m_hint;

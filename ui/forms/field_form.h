@@ -12,7 +12,7 @@ namespace alidade::ui {
 
 class SessionDocument;
 
-/// Labelled entries for these fields of the session, `columns` entries in a row. A field with `fillsRow` has
+/// Labelled entries for the `fields` of the session, `columns` entries in a row. A field with `fillsRow` has
 /// a row of its own.
 class FieldForm : public QWidget {
   Q_OBJECT

@@ -33,7 +33,7 @@ void FieldNotes::refresh() {
   document()->setModified(false);
 }
 
-/// `toPlainText` would turn every no-break space into a blank.
+/// The text as typed; `toPlainText` would turn every no-break space into a blank.
 QString FieldNotes::typed() const {
   return document()->toRawText().replace(QChar::ParagraphSeparator, u'\n');
 }

@@ -17,11 +17,11 @@ struct HelpPage {
 /// All pages in the order of the contents.
 const std::vector<HelpPage>& allHelpPages();
 
-/// The address of a topic: "gap", or an anchor in a page, "words#s0".
+/// The address of a topic, which is a page ("gap") or an anchor in a page ("words#s0").
 QUrl helpUrl(const QString& topic);
 
-/// The guide's topic for `widget`, or else for its nearest parent with a topic; without any, the first
-/// measurement. A widget's topic is its property `helpTopic`, else the topic of its class.
+/// The guide's topic for `widget`, else that of its nearest parent with a topic, else the first measurement.
+/// A widget's topic is its property `helpTopic`, else the topic of its class.
 QString helpTopicOf(const QWidget* widget);
 
 /// The topic of the first page.

@@ -17,24 +17,24 @@ namespace alidade::ui {
 struct FileChoice {
   enum class Where {
     Unknown,  ///< still to be chosen
-    ByLine,   ///< as stated in the file
+    ByLine,   ///< at the axis angle that the file states for each line
     All,      ///< the whole file at `axis`
     Turned,   ///< at 0°, from `turnedAtLine` on at 180°
   };
   Where where = Where::Unknown;
   std::string axis = {};   ///< 0 or 180
-  std::string round = {};  ///< round of all its rows; empty: from the file
+  std::string round = {};  ///< round of all rows of the file; empty: stated in the file
   std::size_t turnedAtLine = 0;
 
   bool operator==(const FileChoice&) const = default;
 };
 
-/// The user's choices for an import, except its pointing zeros.
+/// The user's choices for an import, except the pointing zeros.
 struct ImportChoice {
   std::vector<FileChoice> files;               ///< one per source
   std::map<std::string, TableLayout> layouts;  ///< layouts of the tables, by `Recognised::signature`
   std::string zeroPoint = {};
-  bool isAdded = false;  ///< true: into the current session; false: into a new one
+  bool isAdded = false;  ///< true: added to the readings of the current session
 };
 
 /// The proposed choices: recognised layouts, and the axis angle from file names such as `arc 180.gsi`.

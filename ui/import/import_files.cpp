@@ -18,7 +18,7 @@ enum Column { FileColumn, KindColumn, WhereColumn, TurnedColumn, RoundColumn, co
 
 using Where = FileChoice::Where;
 
-/// Wraps a cell widget, since a view would show the widget itself again after it was hidden.
+/// Puts a cell widget into a frame: a view shows its cell widgets again, even those that were hidden.
 QWidget* framed(QWidget* content) {
   auto* frame = new QWidget;
   auto* layout = new QHBoxLayout(frame);

@@ -20,7 +20,7 @@ class ImportFiles : public QTableWidget {
   std::vector<FileChoice> choices() const;
   /// The current row; 0 if none.
   std::size_t current() const;
-  /// Focuses the first position still to be chosen, else the first one.
+  /// Focuses the first position still to be chosen, else the first position.
   void focusOpenChoice();
 
  signals:

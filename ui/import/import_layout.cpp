@@ -51,7 +51,7 @@ bool isOfAngle(const std::string& key) {
   return column && column->field && isAngle(*column->field);
 }
 
-/// The columns with this key, for an angle also those of its minutes and seconds; empty if none.
+/// The columns with this key and, for an angle, the columns of its minutes and seconds; empty if none.
 Columns heldBy(const TableLayout& layout, const std::string& key) {
   Columns held;
   for (std::size_t part = 0; part < (isOfAngle(key) ? 3U : 1U); ++part) {
@@ -228,7 +228,7 @@ void ImportLayout::take() {
   for (const Role& role : m_roles) {
     const Columns chosen = columnsOf(role.column->currentData().toString());
     if (heldBy(layout, role.key) == chosen) continue;
-    for (std::size_t part = 0; part < chosen.size(); ++part)  // clears the parts left to this role
+    for (std::size_t part = 0; part < chosen.size(); ++part)  // the role also loses its other columns
       if (layout.columns[chosen[part]] == partKey(role.key, part)) layout.columns[chosen[part]].clear();
     role.column->setCurrentIndex(0);
   }

@@ -13,14 +13,14 @@ class QSpinBox;
 namespace alidade::ui {
 
 /// The layout of a table: unit, decimal sign, rows before the readings, and the role of each column. Columns
-/// of degrees, minutes and seconds are also offered as one choice if their numbers or names allow that.
+/// whose numbers or names can be degrees, minutes and seconds are also offered as one choice.
 class ImportLayout : public QWidget {
   Q_OBJECT
 
  public:
   ImportLayout();
 
-  /// Shows the layout of a table for editing. For another file, shows why the file needs no layout.
+  /// Shows the reasons for the proposed format and, for a table, the layout to be edited.
   void show(const ImportSource& source, const TableLayout& layout, bool isRemembered);
   const TableLayout& layout() const { return m_layout; }
 
@@ -31,7 +31,7 @@ class ImportLayout : public QWidget {
   struct Role {
     std::string key;
     QLabel* label;
-    QComboBox* column;  ///< its data: column numbers from 0, separated by commas
+    QComboBox* column;  ///< item data: column numbers from 0, separated by commas
   };
 
   QWidget* createForm();

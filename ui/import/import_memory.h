@@ -7,8 +7,8 @@
 
 namespace alidade::ui {
 
-/// Remembers the last layout of each kind of file, identified by the signature. The present file determines
-/// the separator, and also the unit and the decimal sign if the numbers show them.
+/// Remembers the last layout of the files of each signature (`Recognised::signature`). The present file
+/// determines the separator, and also the unit and the decimal sign if the numbers show them.
 class ImportMemory {
  public:
   /// Absent if there is no earlier layout, or the earlier layout does not fit the file.

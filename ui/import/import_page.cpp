@@ -35,7 +35,7 @@ namespace alidade::ui {
 
 namespace {
 
-/// True if any row has an entry. Counts rows just begun too, so that nothing typed is discarded.
+/// True if any row has an entry, even only a part of a reading, so that the import discards nothing typed.
 bool hasReadings(const Session& session) {
   return std::ranges::any_of(session.positions, [](const Position& position) {
     return !std::ranges::all_of(position.readings, isBlank);
@@ -278,7 +278,7 @@ void ImportPage::showReading() {
 
 void ImportPage::showProblems() {
   QStringList sentences;
-  bool isUnitOpen = false;  // then the user is asked only for the unit of the numbers
+  bool isUnitOpen = false;  // true: problems about the unit are hidden, since `obstacle` asks for it
   for (std::size_t i = 0; i < m_request.sources.size(); ++i) isUnitOpen = isUnitOpen || asksUnit(i);
   for (const ProblemGroup& kind : m_shown->kinds)
     if (!isUnitOpen || !kind.first.asksUnit) sentences.append(capitalised(visibleLine(kind.text())) + u'.');
@@ -295,7 +295,7 @@ void ImportPage::showProblems() {
   m_problems->setFixedHeight(lines * m_problems->fontMetrics().lineSpacing() + 14);
 }
 
-/// The remarks state how each file is read; positions still to be chosen are reported elsewhere.
+/// How each file is read, and whether it was imported before. `obstacle` reports missing positions instead.
 QStringList ImportPage::remarks() const {
   QStringList remarks;
   for (const ImportSource& source : m_request.sources)

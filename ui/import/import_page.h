@@ -33,7 +33,7 @@ struct ImportRequest {
 /// The result: the session made by the import, and the origin of its rows.
 struct ImportDecision {
   Session session;
-  bool isAdded = false;               ///< true: the current session with the readings; false: a new one
+  bool isAdded = false;               ///< true: the current session with the readings; false: a new session
   std::vector<JournalEntry> origins;  ///< journal entries that state the origin of the rows
   std::size_t rows = 0;
 };
@@ -51,7 +51,7 @@ class ImportPage : public QDialog {
   std::optional<ImportDecision> ask();
   /// True if the page shows the result of the current choices.
   bool isUpToDate() const { return m_isCurrent && !m_reading->isAtWork(); }
-  /// Returns the reason why these choices cannot be imported; empty if they can.
+  /// The reason why the files cannot be imported with the current choices; empty if they can.
   QString obstacle() const;
   /// The result of the current choices.
   ImportDecision decision() const;
@@ -81,9 +81,9 @@ class ImportPage : public QDialog {
 
   ImportRequest m_request;
   FormDraft* m_draft;
-  bool m_hasReadings;  ///< of the current session
+  bool m_hasReadings;  ///< true if the current session has readings
   ImportChoice m_choice;
-  std::set<std::string> m_remembered;  ///< signatures
+  std::set<std::string> m_remembered;  ///< signatures of the remembered layouts
   std::unique_ptr<Background<ImportReading>> m_reading;
   std::shared_ptr<const ImportReading> m_shown;
   bool m_isCurrent = false;

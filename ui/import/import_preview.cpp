@@ -45,7 +45,7 @@ const RowField* fieldOf(ImportPreview::Column column) {
   }
 }
 
-/// The source line of the row at `offset` in an origin.
+/// The line of the file from which the row at `offset` of an origin was read.
 std::size_t lineOf(const ImportedRows& origin, std::size_t offset) {
   for (const auto& [first, last] : origin.lines) {
     const std::size_t count = last - first + 1;

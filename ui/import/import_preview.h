@@ -8,7 +8,7 @@
 
 namespace alidade::ui {
 
-/// A preview of the imported rows, with their source lines.
+/// A preview of the imported rows, each with its line in the file.
 class ImportPreview : public QAbstractTableModel {
   Q_OBJECT
 
@@ -32,7 +32,7 @@ class ImportPreview : public QAbstractTableModel {
 
   using QAbstractTableModel::QAbstractTableModel;
 
-  /// Null: empty.
+  /// If `reading` is null, the preview is empty.
   void setReading(std::shared_ptr<const ImportReading> reading);
   bool isShown(Column column) const;  ///< false for an empty column
 
@@ -44,7 +44,7 @@ class ImportPreview : public QAbstractTableModel {
  private:
   struct Row {
     const ImportedRows* origin;
-    std::size_t offset;  ///< within the origin
+    std::size_t offset;  ///< number of the row within the origin, from 0
     const Reading* reading;
   };
 

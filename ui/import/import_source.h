@@ -14,7 +14,7 @@ namespace alidade::ui {
 /// A file of readings, or the clipboard text, with its recognised format.
 struct ImportSource {
   QString name;   ///< file name without folder
-  QString title;  ///< for a new session; empty if none
+  QString title;  ///< title for a new session; empty if none
   std::shared_ptr<const std::string> bytes;
   std::string sha256;  ///< of the bytes
   Recognised recognised;

@@ -23,7 +23,7 @@ class ImportZeros : public QWidget {
   /// `draft` keeps the typed texts until the import is done or cancelled.
   explicit ImportZeros(FormDraft& draft);
 
-  /// Null: nothing can be imported.
+  /// Shows the zeros of `import`; null: nothing can be imported.
   void show(const Import* import);
   /// Writes the typed zeros into positions without one; bare numbers get the session's unit.
   void enterInto(Session& session) const;

@@ -31,7 +31,7 @@ class CheckInput : public QWidget {
   void addFiles(const QStringList& paths);
   CheckRowsTable& table() { return *m_table; }
   QStringList paths() const;  ///< paths of the files
-  /// Shows what the files state of the instrument where nothing is typed.
+  /// Shows in the empty fields what the files state about the instrument.
   void suggest(const CheckIdentity& read);
 
  signals:

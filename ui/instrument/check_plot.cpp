@@ -53,7 +53,7 @@ void CheckPlot::add(Point point) {
   if (std::isfinite(point.x) && std::isfinite(point.y)) m_points.push_back(point);
 }
 
-/// Adds the values minus their station mean, so that all of them share one axis.
+/// Adds all values minus their station mean, on one axis; `orientation` has the mean subtracted already.
 void CheckPlot::addCourse(const StationCheck& station, std::size_t before) {
   for (std::size_t j = 0; j < station.course.size(); ++j) {
     const RoundCourse& round = station.course[j];

@@ -10,7 +10,7 @@ namespace alidade::ui {
 
 /// The results of an instrument check as points: collimation, index and orientation over the rounds of all
 /// stations in sequence, the residuals of every pair, or the collimation of each target over its distance.
-/// Points differ in fill and shape, also in grey.
+/// Kinds of points differ in shape and fill, and so also in grey print.
 class CheckPlot : public Plot {
   Q_OBJECT
 
@@ -43,7 +43,7 @@ class CheckPlot : public Plot {
     double x, y;
     Kind kind;
     const StationCheck* station;
-    std::size_t round, target;  ///< a course uses no target, a plot over distance no round
+    std::size_t round, target;  ///< no target in `View::Course`, no round in `View::Distance`
   };
 
   void draw();

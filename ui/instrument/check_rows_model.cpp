@@ -52,7 +52,7 @@ void CheckRowsModel::put(int row, int column, const QString& text) {
   m_rows[static_cast<std::size_t>(row)][column] = text.trimmed();
 }
 
-/// The number of rows to evaluate: without the empty one, and without a last row that lacks target or angle.
+/// The number of rows to evaluate: all except the empty row, and a last row that lacks target or angle.
 std::size_t CheckRowsModel::countOfUse() const {
   const std::size_t filled = m_rows.size() - 1;
   if (filled == 0) return 0;

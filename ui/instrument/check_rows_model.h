@@ -28,12 +28,12 @@ class CheckRowsModel : public QAbstractTableModel {
   bool isBlank() const { return m_rows.size() == 1; }
   /// True if no row can be evaluated.
   bool isEmpty() const { return countOfUse() == 0; }
-  std::string csv() const;  ///< the rows line by line, without an unfinished last one
+  std::string csv() const;  ///< the rows to evaluate, without column names
 
-  /// Pastes from this cell on, adding rows. A block whose first rows name columns goes to those columns, with
+  /// Pastes from this cell on, and adds missing rows. If the block names columns, its texts go to them, with
   /// degrees, minutes and seconds joined. The problem says why a block with column names is refused.
   std::optional<Problem> paste(const ReadingBlock& block, int row, int column);
-  void clear(const QModelIndexList& cells);  ///< also removes rows left empty
+  void clear(const QModelIndexList& cells);  ///< also removes rows that become empty
 
   ReadingBlock block() const;  ///< all rows except the empty one at the end
   /// Replaces all rows by `block`.

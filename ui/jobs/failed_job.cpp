@@ -69,7 +69,7 @@ QString written(const FailedJob& failed) {
   return problem ? QString() : path;
 }
 
-/// Writes one record per job and reason, since otherwise every edit would add one.
+/// Writes one record per job and reason, since otherwise every edit would add a record.
 QString writtenOnce(const FailedJob& failed) {
   static std::map<std::pair<std::string, std::string>, QString> records;
   QString& path = records[{failed.job, failed.reason}];

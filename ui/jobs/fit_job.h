@@ -28,8 +28,8 @@ class FitJob : public QObject {
   bool isIdle() const { return !m_fit.isAtWork() && !m_fitted; }  ///< nothing remains to be delivered
 
  signals:
-  /// Emitted after the fit. If the search for misread readings is still to be made, `searched` follows unless
-  /// another request comes first.
+  /// Emitted after the fit. `searched` follows if a search for misread readings is needed; `request` and
+  /// `stopSearch` cancel it.
   void evaluated(const alidade::ui::SharedEvaluation& evaluation);
   /// The evaluation delivered last, now with the result of the search for misread readings.
   void searched(const alidade::ui::SharedEvaluation& evaluation);

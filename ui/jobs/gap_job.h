@@ -12,8 +12,8 @@ namespace alidade::ui {
 using SharedGap = std::shared_ptr<const Gap>;
 
 /// Diagnoses evaluations in the background, one at a time. Only the newest request is delivered; outdated
-/// ones are stopped. Starts at once while the page is watched, otherwise once edits pause. A delivered gap is
-/// delivered once more when the rows on which its verdict depends are found.
+/// ones are stopped. Starts at once while the page of the gap is in front, otherwise `restMilliseconds` after
+/// the last request. Later delivers the gap again with the rows on which its verdict depends.
 class GapJob : public QObject {
   Q_OBJECT
 
@@ -28,7 +28,7 @@ class GapJob : public QObject {
   void setWatched(bool watched);
   /// Sets whether later requests include the reference as evidence for the causes. Off at first.
   void setWithReference(bool withReference);
-  bool isIdle() const { return !m_wanted; }  ///< nothing remains to be delivered
+  bool isIdle() const { return !m_wanted; }  ///< no diagnosis remains to be delivered
   bool isAtWork() const { return m_work.isAtWork(); }
 
  signals:
@@ -45,7 +45,7 @@ class GapJob : public QObject {
   SharedEvaluation m_wanted;  ///< null if nothing is requested
   bool m_isWatched = false;
   bool m_isWithReference = false;
-  SharedGap m_incomplete;  ///< delivered, its `dependences` not sought yet; or null
+  SharedGap m_incomplete;  ///< delivered gap whose `dependences` are still to be sought; null: none
   Background<Gap> m_work, m_completion;
 };
 

@@ -23,7 +23,7 @@ struct InstrumentQuestion {
   std::vector<Source> sources;
   CheckFileOptions reading;
   CheckOptions stated;
-  CheckIdentity identity = {};  ///< in place of what the sources state
+  CheckIdentity identity = {};  ///< typed; replaces what the sources state
 };
 
 struct CheckedInstrument {
@@ -32,7 +32,7 @@ struct CheckedInstrument {
   std::vector<std::string> remarks;
   CheckIdentity identity = {};
   std::vector<std::string> sources = {};  ///< names of the files
-  std::string problem;                    ///< why there is no check; empty with one, or without input
+  std::string problem;                    ///< why there is no check; empty if there is a check or no input
 };
 
 using SharedInstrument = std::shared_ptr<const CheckedInstrument>;
@@ -40,7 +40,7 @@ using SharedInstrument = std::shared_ptr<const CheckedInstrument>;
 /// Runs in the calling thread.
 CheckedInstrument checkInstrument(const InstrumentQuestion& question);
 
-/// Checks in the background; only the newest question counts.
+/// Checks in the background; only the newest question is answered.
 class InstrumentJob : public QObject {
   Q_OBJECT
 

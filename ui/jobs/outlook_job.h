@@ -12,12 +12,12 @@
 
 namespace alidade::ui {
 
-/// The effect of further sightings on the session of one evaluation.
+/// The U of Δd that further sightings reach in the session of one evaluation.
 struct OutlookOfSession {
   SharedEvaluation evaluation;
-  Outlook outlook = {};                      ///< for a protocol that lists its sightings
-  std::optional<SightingsAhead> ahead = {};  ///< for a protocol by worth
-  std::string failure = {};                  ///< sentences why there is no outlook
+  Outlook outlook = {};                      ///< unless the protocol is by worth (`isByWorth`)
+  std::optional<SightingsAhead> ahead = {};  ///< if the protocol is by worth
+  std::string failure = {};                  ///< sentences that say why there is no outlook
 };
 
 using SharedOutlook = std::shared_ptr<const OutlookOfSession>;
@@ -30,7 +30,7 @@ class OutlookJob : public QObject {
  public:
   explicit OutlookJob(QObject* parent = nullptr);
 
-  /// Requests the outlook of an evaluation with a guide. `gap`: its diagnosis, or null; `uncertainty`: the U
+  /// Requests the outlook of an evaluation with a guide. `gap`: the diagnosis, or null; `uncertainty`: the U
   /// of Δd that a protocol by worth is to reach, mm.
   void request(SharedEvaluation evaluation, SharedGap gap, double uncertainty);
   void cancel();  ///< drops the request; nothing more is delivered

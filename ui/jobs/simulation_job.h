@@ -19,9 +19,9 @@ bool measuresAlike(const Session& one, const Session& other);
 struct BudgetCheck {
   SharedEvaluation evaluation;
   std::optional<MonteCarlo> simulated;  ///< empty: stopped, failed, or too few draws gave a result
-  std::string failure = {};             ///< sentences why the check failed
+  std::string failure = {};             ///< sentences that say why the check failed
 
-  /// True if the figures are also valid for this session.
+  /// True if the result is valid for `session`, too: the fit has the same input.
   bool isOf(const Session& session) const;
 };
 
@@ -34,7 +34,7 @@ class SimulationJob : public QObject {
  public:
   explicit SimulationJob(QObject* parent = nullptr);
 
-  /// Does nothing while a check is running. 0 `draws`: as many as a decision needs.
+  /// Does nothing while a check is running. `draws` 0: as many as the comparison with the budget needs.
   void start(const SharedEvaluation& evaluation, std::size_t draws);
   void stop() { m_work.stop(); }  ///< `finished` follows without a result
   bool isAtWork() const { return m_work.isAtWork(); }

@@ -28,7 +28,7 @@ DiagnosedTrial diagnoseTrial(const BlindTrialOptions& options, std::uint64_t see
 TrialJob::TrialJob(QObject* parent)
     : QObject(parent), m_work([this](const SharedTrial& trial) { finish(trial); }) {}
 
-/// Stops a trial of an earlier start; the first trial of this start then follows.
+/// Stops the running trial of an earlier start, if any; `finish` then begins the first trial of this start.
 void TrialJob::start(const BlindTrialOptions& options, std::uint64_t seed, int count) {
   m_options = options;
   m_seed = seed;

@@ -15,13 +15,13 @@ namespace alidade::ui {
 struct DiagnosedTrial {
   BlindTrial trial;
   Gap gap;
-  TrialScore score;     ///< valid with a diagnosis
-  std::string problem;  ///< why there is no trial or no diagnosis; empty with both
+  TrialScore score;     ///< valid if there is a diagnosis
+  std::string problem;  ///< why there is no trial or no diagnosis; empty if both exist
 };
 
 using SharedTrial = std::shared_ptr<const DiagnosedTrial>;
 
-/// Runs in the calling thread. Asked to stop, it returns early without a diagnosis.
+/// Runs in the calling thread. After a stop request, returns early without a diagnosis.
 DiagnosedTrial diagnoseTrial(const BlindTrialOptions& options, std::uint64_t seed,
                              const std::stop_token& stop = {});
 

@@ -6,13 +6,13 @@
 
 namespace alidade::ui {
 
-/// A language with its texts: the program's, then Qt's own. English has none.
+/// A language with its translations: those of the program, then those of Qt. English has none.
 struct Tongue {
   QString id;
   std::vector<std::unique_ptr<QTranslator>> texts;
 };
 
-/// The language texts of an id; null: unsupported.
+/// The language with this id; null: unsupported.
 const Tongue* tongueOf(const QString& id);
 
 /// Translates into the language of the calling thread.

@@ -19,7 +19,7 @@ bool isOurs(const QString& id) {
   return std::any_of(all.begin(), all.end(), [&](const LanguageInfo& language) { return language.id == id; });
 }
 
-/// The first supported language of the desktop. Readers of traditional characters do not get simplified ones.
+/// The first supported language in the desktop's list, else English. Traditional Chinese is not supported.
 QString desktopLanguage() {
   for (const QString& wanted : QLocale::system().uiLanguages()) {
     const QLocale locale(wanted);

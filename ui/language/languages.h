@@ -14,10 +14,10 @@ struct LanguageInfo {
 /// All languages, English first, since the sources are written in English.
 const std::vector<LanguageInfo>& allLanguages();
 
-/// The language of an id, or of the desktop's locale if the id is unknown; English if none is supported.
+/// `id` if supported; else the desktop's language if supported; else English.
 QString languageOr(const QString& id);
 
-/// The choice on this machine, effective from the next start; empty: the desktop's.
+/// The language chosen on this machine, effective from the next start; empty: that of the desktop.
 QString rememberedLanguage();
 void rememberLanguage(const QString& id);
 
@@ -28,11 +28,11 @@ void speak(const QString& id);
 /// The current language of this thread.
 QString shownLanguage();
 
-/// While such an object exists, its thread uses another language than the program, for a report in its
-/// reader's language. Scopes may be nested.
+/// While a scope exists, its thread uses another language than the program, for a report in the language of
+/// its reader. Scopes may be nested.
 class LanguageScope {
  public:
-  /// `id` of a `LanguageInfo`; for any other, even empty, the thread keeps its language.
+  /// `id`: that of a `LanguageInfo`; with any other text, even an empty one, the thread keeps its language.
   explicit LanguageScope(const QString& id);
   ~LanguageScope();
   LanguageScope(const LanguageScope&) = delete;

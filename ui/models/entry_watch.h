@@ -23,7 +23,7 @@ class EntryWatch : public QObject {
   void setEvaluation(const SharedEvaluation& evaluation) { m_before = evaluation; }
 
  signals:
-  /// A reading of the next row was typed; `doubt` is empty unless another reading was expected.
+  /// A reading of the next row was typed; `doubt` is empty if the reading is as expected or none is expected.
   void entered(std::size_t position, std::size_t row, alidade::ui::ReadingColumn column,
                const QString& doubt);
 

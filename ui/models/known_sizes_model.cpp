@@ -24,7 +24,7 @@ using Column = KnownSizesModel::Column;
 constexpr int longestText = 300;  // characters: more than any column shows
 constexpr int columnsOfKnown = static_cast<int>(Column::From) + 1;
 
-/// Null if the column is not editable.
+/// The text of a known size that the column edits; null if the column is not editable.
 const KnownCell* typedInto(Column column) {
   if (column < Column::Value) return nullptr;
   return &knownCells[static_cast<int>(column) - static_cast<int>(Column::Value)];
@@ -220,7 +220,7 @@ QString KnownSizesModel::problem(const KnownRow& row, Column column) const {
   return qText(entryProblem(m_document.session(), field, typed(row, *cell)).value_or(""));
 }
 
-/// The problem of a cell or of its neighbours; else an explanation of the cell or row.
+/// The problem of the cell, or of the value or the u in its row; else an explanation of the cell or row.
 QString KnownSizesModel::about(const QModelIndex& index) const {
   const KnownRow& row = this->row(index);
   const auto column = static_cast<Column>(index.column());
@@ -241,7 +241,7 @@ QString KnownSizesModel::about(const QModelIndex& index) const {
       .arg(capitalised(qText(Phrase::of(row.effect->description))), ownerName(ownerOf(*row.effect)));
 }
 
-/// The first row that gained or lost an entry has changed; later entries of its list only shift their index.
+/// The changed row is the first row that gained or lost an entry: later entries only shift their index.
 void KnownSizesModel::follow(const SessionChange& change) {
   if (change.kind != SessionChange::Kind::Everything && !knownAt(change.place)) return;
   std::vector<KnownRow> rows = knownRows(m_document.session());

@@ -96,7 +96,7 @@ QVariant ReadingsModel::data(const QModelIndex& index, int role) const {
   }
 }
 
-/// A checkbox has no text of its own.
+/// The text of a cell for a screen reader, also for the check box of `Used`.
 QString ReadingsModel::accessibleText(int row, ReadingColumn column) const {
   if (column == ReadingColumn::Used) return reading(row).excluded ? tr("excluded") : tr("used");
   return accessibleCell(cellText(row, column), titleOf(column));
@@ -256,8 +256,8 @@ int ReadingsModel::decimalsIn(ReadingColumn column) const {
   return found == m_decimals.end() ? 0 : found->second;
 }
 
-/// All angles of a column are shown with as many decimals as the finest of its first thousand rows. Returns
-/// true if the form of any angle changed.
+/// Sets the unit of shown angles, and the decimals of each column to those of the finest angle in its first
+/// thousand rows. Returns true if the unit or a number of decimals changed.
 bool ReadingsModel::followAngles(const Session& session) {
   constexpr std::size_t most = 1000;
   if (m_position >= session.positions.size()) return false;

@@ -46,15 +46,15 @@ class ReadingsModel : public QAbstractTableModel {
     int row = 0;
     ReadingColumn column = ReadingColumn::Horizontal;
   };
-  /// The first missing circle reading of a row in use; in the empty row if none is missing.
+  /// The cell of the first missing circle reading in a row in use, else a cell of the empty row.
   OpenCell firstOpenCell() const;
 
   /// Signals a change of the residuals, or of all cells if problems, suspects or the form of angles changed.
   /// A view queries only visible cells.
   void setEvaluation(SharedEvaluation evaluation);
 
-  /// Sets an objection to the cell's present text; kept until the cell is changed, or rows before it are
-  /// added or removed.
+  /// Sets an objection to the cell's present text. A change of the cell, or of the number of rows before it,
+  /// ends the objection.
   void setDoubt(std::size_t row, ReadingColumn column, const QString& doubt);
 
   /// True if any row has a text in the column other than the default, such as face 1.
@@ -62,7 +62,7 @@ class ReadingsModel : public QAbstractTableModel {
   /// The same for `count` rows from `first` on.
   bool isUsed(ReadingColumn column, std::size_t first, std::size_t count) const;
 
-  /// The text copied from a cell with a reading: as typed; for residuals as shown.
+  /// The text that copying takes from a cell of a reading: an entry as typed, a residual as shown.
   QString copiedText(int row, ReadingColumn column) const;
 
  signals:

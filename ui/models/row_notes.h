@@ -20,7 +20,7 @@ class RowNotes {
   /// What a view must show again after an evaluation.
   enum class News { None, Residuals, Everything };
   News setEvaluation(SharedEvaluation evaluation);
-  /// `inserted` rows replaced `removed` rows from `first` on.
+  /// Reports that `inserted` rows replaced `removed` rows from `first` on.
   void replaceRows(std::size_t first, std::size_t removed, std::size_t inserted);
 
   /// Null if the row was not in the fit.

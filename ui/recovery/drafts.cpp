@@ -57,7 +57,7 @@ void Drafts::adoptLeftBehind(const QString& folder) {
     const QStringList names = forms.keys();
     if (std::ranges::any_of(names, [this](const QString& name) { return m_all.contains(name); })) continue;
     for (const QString& name : names) m_all[name] = forms[name];
-    if (!m_all.isEmpty() && write(m_slot->path(), m_all)) return;  // the files found stay in place
+    if (!m_all.isEmpty() && write(m_slot->path(), m_all)) return;  // writing failed: keep the files
     left->remove();
   }
 }
@@ -67,7 +67,7 @@ void Drafts::startWriter() {
       [this](const std::shared_ptr<const Written>& problem) { finishWriting(*problem); });
 }
 
-/// Further keystrokes do not postpone the writing.
+/// Stores the draft and schedules the writing; further keystrokes do not postpone the writing.
 void Drafts::set(const QString& form, const QJsonObject& draft) {
   if (!isKept() || of(form) == draft) return;
   if (draft.isEmpty())

@@ -10,12 +10,12 @@ namespace alidade::ui {
 /// a lock file in one folder. Locks of terminated processes are ignored.
 class FileLock {
  public:
-  /// Without a folder nothing is locked, and nothing is found locked.
+  /// Sets the folder of the lock files; without a folder, `hold` locks nothing and `holder` finds nothing.
   void setFolder(const QString& folder) { m_folder = folder; }
 
   /// The process of another window that has locked the file, such as "process 4711"; empty: none.
   QString holder(const QString& path) const;
-  /// Locks this file for the window, and releases the previous one. If another window has locked the file,
+  /// Locks this file for the window, and releases the previous file. If another window has locked the file,
   /// the next call tries again.
   void hold(const QString& path);
 

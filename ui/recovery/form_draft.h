@@ -31,7 +31,7 @@ class FormDraft : public QObject {
   void add(const QString& key, QComboBox& entry);
   void add(const QString& key, QCheckBox& entry);
 
-  /// True if a restored text differed from its entry.
+  /// True if a restored value differed from that of its entry.
   bool isRestored() const { return m_isRestored; }
   /// Removes the draft, because the form was accepted or cancelled.
   void finish();

@@ -20,7 +20,7 @@ struct HalfTypedRecord {
 
 std::string halfTypedRecordText(const HalfTypedRecord& record);
 
-/// Returns a problem if the bytes are not such a record.
+/// Returns a problem if the bytes are not a `halfTypedRecordText`.
 Result<HalfTypedRecord> readHalfTypedRecord(const std::string& bytes);
 
 }  // namespace alidade::ui

@@ -16,8 +16,8 @@ namespace alidade::ui {
 
 class SessionDocument;
 
-/// Keeps a record of the current session while it has unsaved changes, including unfinished entries. A
-/// separate thread writes it a quarter of a second after the first change that the record lacks.
+/// Keeps a record of the current session while the session has unsaved changes or unfinished entries. A
+/// separate thread writes the record a quarter of a second after the first change that the record lacks.
 class RecoveryKeeper : public QObject {
   Q_OBJECT
 

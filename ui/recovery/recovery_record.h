@@ -23,7 +23,7 @@ struct RecoveryRecord {
 /// the first line can be opened as a session.
 std::string recoveryText(const RecoveryRecord& record);
 
-/// Returns a problem if the bytes are not such a record.
+/// Returns a problem if the bytes are not a `recoveryText`.
 Result<RecoveryRecord> readRecovery(const std::string& bytes);
 
 }  // namespace alidade::ui

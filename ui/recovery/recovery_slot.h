@@ -8,8 +8,8 @@
 namespace alidade::ui {
 
 /// The files of one window for unsaved changes and unfinished entries, reserved by a lock file for the
-/// lifetime of this object. The record remains when the object ends: after a crash the lock is free, and the
-/// next start finds the record.
+/// lifetime of this object. The destructor keeps the record; a crash frees the lock, so that the next start
+/// finds the record.
 class RecoverySlot {
  public:
   enum class Kind {

@@ -24,7 +24,7 @@ using SharedInstallationCheck = std::shared_ptr<const InstallationCheck>;
 /// Checks this program, in the window's thread; takes a second.
 InstallationCheck checkInstallation();
 
-/// Adds the checks of the window to those of the core, which any thread may make.
+/// Adds the checks of the window to `ofCore`, the checks of the core, which any thread may make.
 InstallationCheck checkInstallation(SelfTest ofCore);
 
 /// Paints the check for paper: program, machine and libraries, all lines, the verdict. False: painting

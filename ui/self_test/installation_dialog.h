@@ -13,8 +13,8 @@ namespace alidade::ui {
 
 class Dialogs;
 
-/// The check of this installation, run when opened and on request: the verdict, every line with expected and
-/// found values, and a version for paper.
+/// Checks this installation when opened and on request. Shows the verdict and every line with expected and
+/// found values; prints them, or writes them into a PDF.
 class InstallationDialog : public QDialog {
   Q_OBJECT
 
@@ -23,7 +23,7 @@ class InstallationDialog : public QDialog {
 
   void check();
   bool isAtWork() const { return m_work.isAtWork(); }
-  SharedInstallationCheck last() const { return m_check; }  ///< null: not yet
+  SharedInstallationCheck last() const { return m_check; }  ///< null before the first
   QString verdict() const;
 
   bool savePdf();

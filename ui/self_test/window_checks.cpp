@@ -33,7 +33,7 @@ void addOwnFiles(std::vector<SelfCheck>& checks, const QString& folder, const st
   }
 }
 
-/// Checks in each language except English that the text "passed" is translated.
+/// Checks that the text "passed" is translated in each language, but stays as it is in English.
 void addLanguages(std::vector<SelfCheck>& checks) {
   for (const LanguageInfo& language : allLanguages()) {
     const LanguageScope scope(language.id);
@@ -49,7 +49,7 @@ void addLanguages(std::vector<SelfCheck>& checks) {
   }
 }
 
-/// The letters of `text` missing from a font family.
+/// Says which letters of `text` the font family lacks, or that it has all of them.
 std::string lacking(const QString& family, const QString& text) {
   if (!QFontDatabase::families().contains(family)) return "no such font";
   const QFontMetrics metrics{QFont(family)};

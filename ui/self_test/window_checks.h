@@ -6,8 +6,8 @@
 
 namespace alidade::ui {
 
-/// Checks of the window's program: the samples of the start page, the guide in every language, the languages,
-/// and the fonts of reports.
+/// Checks that only the program with a window can make: the samples of the start page, the guide in every
+/// language, the languages, and the fonts of reports.
 std::vector<SelfCheck> windowChecks();
 
 }  // namespace alidade::ui

@@ -141,7 +141,7 @@ void HistoryPanel::compare(const std::vector<std::string>& files) {
       paragraphs(congruenceSentences(shown->epochs, congruenceOf(shown->epochs, epochs[0], epochs[1]))));
 }
 
-/// Highlights nothing if some sessions have no value of the quantity, since the indices then differ.
+/// Highlights nothing if a session lacks the quantity, since sessions and values then have different indices.
 void HistoryPanel::highlight(const std::string& file) {
   m_chart->clearHighlight();
   const DeviceHistory* shown = device();

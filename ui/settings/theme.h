@@ -14,7 +14,7 @@ enum class Theme { System, Light, Dark };
 /// QApplication.
 void setUpApplication(QApplication& application);
 
-/// Applies the theme's palette and remembers it. System follows the desktop's palette at program start.
+/// Applies the theme's palette and remembers the theme. `System`: the desktop's palette at program start.
 void applyTheme(Theme theme);
 Theme rememberedTheme();
 

@@ -9,7 +9,7 @@ class QWidget;
 
 namespace alidade::ui {
 
-/// The font of the window. The report has its own, equal on every machine.
+/// The font of the window. Reports use another font, the same on every machine.
 struct FontChoice {
   QString family = {};  ///< empty: the desktop's
   double points = 0;    ///< 0: the desktop's size
@@ -21,7 +21,7 @@ inline constexpr double smallestPoints = 6, largestPoints = 24;
 
 /// The font of a choice on this desktop.
 QFont fontOf(const FontChoice& choice);
-/// The same font, one point larger or smaller per step, within the limits.
+/// The font larger by `bySteps` points (negative: smaller), between `smallestPoints` and `largestPoints`.
 FontChoice resized(const FontChoice& choice, int bySteps);
 
 /// Applies this font to the whole program at once, and remembers the choice.

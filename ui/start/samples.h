@@ -12,7 +12,7 @@ namespace alidade::ui {
 struct Sample {
   const char* name;   ///< file name without suffix
   const char* title;  ///< in the context `Sample`
-  const char* shows;  ///< one line, in the same context
+  const char* shows;  ///< one line about the sample, in the context `Sample`
 };
 
 /// All samples in the recommended order.

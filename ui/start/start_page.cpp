@@ -165,7 +165,7 @@ void StartPage::focusFirst() {
   m_recent->currentItem() ? m_recent->setFocus() : m_new->setFocus();
 }
 
-/// Forwards typed text to the session; otherwise a list would search for it.
+/// Forwards typed text to the session; otherwise a list on this page would search for the text.
 bool StartPage::eventFilter(QObject* watched, QEvent* event) {
   if (event->type() == QEvent::KeyPress && isTyped(static_cast<const QKeyEvent&>(*event))) {
     emit sessionWanted(static_cast<const QKeyEvent&>(*event).text());

@@ -7,7 +7,7 @@ class QTreeWidget;
 
 namespace alidade::ui {
 
-/// The first choices instead of an empty session: a new one, a file, a sample, the guide.
+/// The first choices instead of an empty session: a new session, a file, a sample, the guide.
 class StartPage : public QWidget {
   Q_OBJECT
 

@@ -10,8 +10,8 @@ namespace alidade::ui {
 /// The common name of a catalogued effect: "trunnion tilt".
 QString effectName(const std::string& id);
 
-/// The common name of an estimated number: "trunnion tilt", "plane tilt, tilt about x", with the number's
-/// own name if the effect has several.
+/// The common name of an estimated number: "trunnion tilt", or "plane tilt, tilt about x" with the number's
+/// own name if the effect has several numbers.
 QString effectText(const EffectEstimate& estimate);
 
 /// True if the effect's name already names the number, as "slider scale" does "scale".

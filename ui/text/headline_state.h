@@ -5,7 +5,7 @@
 
 namespace alidade::ui {
 
-/// The state of the verdict. `Quiet` if there is no verdict, or one from the fit only.
+/// The state of the verdict. `Quiet` if there is no verdict, or if it is from the fit only.
 State stateOf(const Headline& headline);
 
 }  // namespace alidade::ui

@@ -17,7 +17,7 @@ QString knownName(const Session& session, const KnownRow& row);
 /// The content of an entry: "collimation 3.2 u 0.5 arcsec, check".
 QString knownText(const KnownSize& size);
 
-/// The name of the place: "known size of collimation, u"; empty if the session has no such entry.
+/// The name of the place: "known size of collimation, u"; empty if the session has no entry there.
 QString accessibleKnown(const Session& session, const KnownPlace& place);
 
 }  // namespace alidade::ui

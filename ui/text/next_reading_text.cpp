@@ -26,7 +26,7 @@ struct NextReadingText {
 
 constexpr int longestKey = 20;
 
-/// The shortened text; empty if it is the default, which an empty entry also means.
+/// The shortened text; empty if the text is the default of its field.
 QString unusual(const RowField& field, const std::string& text) {
   return text == usualText(field) ? QString() : shortLine(text, longestKey);
 }
@@ -40,7 +40,7 @@ QString keysText(const Reading& sighting) {
   return listText(parts);
 }
 
-/// The guide of the session's protocol; null without a protocol or with an invalid one.
+/// The guide of the session's protocol; null if there is no protocol or it is invalid.
 const Guide* guideIn(const Evaluation& evaluation) {
   const Guide* guide = evaluation.guide.get();
   return guide && guide->problem.empty() ? guide : nullptr;

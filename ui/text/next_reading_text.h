@@ -18,8 +18,8 @@ QString coarseAngleText(Angle angle, CircleUnit unit);
 /// The name of a sighting: "Point 7", "Point 7, round 2", "Point 7, round 2, face 2".
 QString sightingText(const Reading& sighting);
 
-/// The next entry to type for a user at `position`; absent if nothing is left, or if the session has more
-/// rows than anyone types.
+/// The next entry to type for a user at `position`; absent if no entry is missing, or if the session has more
+/// than 10 000 rows (`nextReadings`).
 std::optional<EntryToCome> entryToCome(const Evaluation& evaluation, std::size_t position);
 
 /// The entry to which the window leads a user at `position` (`alidade::entryToLeadTo`).
@@ -31,7 +31,7 @@ std::optional<ExpectedReading> expectedOf(const Evaluation& evaluation, const En
 /// The name of the entry: "0°: point 7, round 2", "180°: pointing zero", "Distance".
 QString entryText(const Session& session, const EntryToCome& entry);
 
-/// For a row of `position` as `nextReadingText`; else "Next: 180°: pointing zero", or that nothing is left.
+/// As `nextReadingText` for a row of `position`; else "Next: 180°: pointing zero", "All readings are taken".
 QString nextEntryText(const Evaluation& evaluation, std::size_t position);
 
 /// "Next: point 7, round 2, about 341°52′ and 88°17′"; without the angles if none are expected.

@@ -10,7 +10,8 @@ namespace alidade::ui {
 /// The common name of a kind of truth: "collimation", "two effects", "nothing".
 QString trialKindName(const std::string& kind);
 
-/// The simulated errors, a line each ("No error was simulated." if none), then their trace and the true Δd.
+/// A line for each simulated error, or "No error was simulated."; then the size of their trace in the
+/// readings, in σ, and the true Δd.
 QStringList truthLines(const BlindTrial& trial);
 
 /// Says why the diagnosis counts as right or wrong, and whether Δd covers the true Δd, if that was checked.

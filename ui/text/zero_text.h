@@ -7,8 +7,8 @@
 
 namespace alidade::ui {
 
-/// The mean of a position's pointing zero with its σ and the movement of the zero. Empty without a zero, or
-/// with a single sighting if no face was left out. `position`: index of the position in the session.
+/// The mean of a pointing zero with its σ and the movement of the zero. `position`: index in the session.
+/// Empty for a position that is not evaluated, and for a single sighting unless face 2 was ignored.
 QString meanZeroText(const Examined& examined, std::size_t position);
 
 }  // namespace alidade::ui

@@ -146,8 +146,8 @@ void EntryColumn::connectFindings(SessionJobs& jobs) {
 }
 
 /// Gives the findings the height of all their lines, up to a third of the column; some rows of readings stay
-/// visible. Keeps a height set by the user. Reduces the height only if more than half would be free, since
-/// lines on a half-typed row appear and disappear with each reading.
+/// visible. Keeps a height set by the user. Reduces the height only if the lines need less than half of it,
+/// since lines on a half-typed row appear and disappear with each reading.
 void EntryColumn::giveFindingsRoom() {
   if (isSetByHand(*m_column)) return;
   QList<int> sizes = m_column->sizes();
@@ -166,7 +166,7 @@ void EntryColumn::giveFindingsRoom() {
     give(std::min(sizes[1] + cut, most));
   ReadingsTable* table = m_positions->currentTable();
   if (!table) return;
-  // The forms, so far at their minimum, use a part of the returned height; hence two passes.
+  // The forms may take a part of the height that the first pass returns, so that a second pass is needed.
   constexpr int leastRows = 5;
   const int least = m_column->widget(1)->minimumSizeHint().height();
   for (int pass = 0; pass < 2; ++pass) {

@@ -18,7 +18,7 @@ class SessionDocument;
 class SessionJobs;
 class SuspectBar;
 
-/// The left column of the window: forms of the session, its readings, and what is found in them.
+/// The left column of the window: forms of the session, its readings, and the findings.
 class EntryColumn : public QObject {
   Q_OBJECT
 
@@ -32,15 +32,15 @@ class EntryColumn : public QObject {
   ChangeReasonBar* changeReason() const { return m_changeReason; }
   /// Commits unfinished entries.
   void commit();
-  /// Leads to the entry of a reading or field.
+  /// Shows the entry of a reading or field, and focuses it if `takeFocus`.
   void reveal(const Place& place, bool takeFocus);
   /// Moves the selected readings to the next position.
   void moveReadings();
 
  signals:
-  void commitWanted();  ///< unfinished entries must be committed first
+  void commitWanted();  ///< asks to commit unfinished entries before the session is edited
   void revealWanted(const alidade::Place& place, bool takeFocus);
-  void gapWanted();  ///< the page of the gap
+  void gapWanted();  ///< asks to show the page of the gap
 
  private:
   void createForms();

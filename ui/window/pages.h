@@ -51,7 +51,7 @@ struct PageInfo {
 /// All pages in the order of tabs and menu.
 std::span<const PageInfo> allPages();
 
-/// Asks for an effect of one's own, starting with `effect`, and keeps it in the session.
+/// Lets the user edit `effect` as an effect of their own, and keeps the result in the session.
 void typeOwnEffect(const WindowParts& parts, const OwnEffect& effect);
 
 /// The page of the gap, whose actions edit the session.

@@ -31,15 +31,15 @@ class ResultColumn : public QObject {
   void showPage(std::string_view id);
   /// Commits unfinished entries.
   void commit();
-  /// Leads to a place that a page edits; false if no page edits this place.
+  /// Shows the page that edits `place`; false if no page edits it.
   bool reveal(const Place& place, bool takeFocus);
-  /// Leads to a reading.
+  /// Asks to show and focus a reading.
   void select(std::size_t position, std::size_t row);
   /// If not `shown`, the pages below get the room of the picture and of the pages beside it.
   void setPictureShown(bool shown) { m_top->setVisible(shown); }
 
  signals:
-  void commitWanted();  ///< unfinished entries must be committed first
+  void commitWanted();  ///< asks to commit unfinished entries before the session is edited
   void revealWanted(const alidade::Place& place, bool takeFocus);
 
  private:

@@ -20,7 +20,7 @@ class SessionJobs : public QObject {
 
   FitJob& fit() { return m_fit; }
   GapJob& gap() { return m_gap; }
-  /// Evaluates the session, and from now on after each change. All views must be connected already.
+  /// Evaluates the session now and after each change. Call after all views are connected.
   void start();
   /// Weighs the causes with the reference as evidence, or without it.
   void setWithReference(bool wanted);
@@ -51,7 +51,7 @@ class SessionJobs : public QObject {
   FitJob m_fit;
   GapJob m_gap;
   SharedEvaluation m_shown;  ///< the newest; null before the first
-  SharedGap m_completed;     ///< the last gap with its `dependences`; null: none, or with other evidence
+  SharedGap m_completed;     ///< the last gap with its `dependences`; null if none with this evidence
   bool m_isGapOld = false;   ///< the gap shown is outdated
 };
 

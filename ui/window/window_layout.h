@@ -14,7 +14,7 @@ bool isLow(const QWidget& window);
 /// 75 % of the screen, but at least 1280 × 800 and at most 1800 × 1100 pixels.
 QSize firstSize(const QWidget& window);
 
-/// Restores the remembered size, at most that of the screen less the frame, and the splitters set by hand.
+/// Restores the remembered size, limited to the screen minus the frame, and the splitters set by hand.
 void restoreLayout(QMainWindow& window);
 void saveLayout(const QMainWindow& window);
 

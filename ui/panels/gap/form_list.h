@@ -12,8 +12,8 @@ namespace alidade::ui {
 
 class FormChart;
 
-/// The forms of a gap: for each a sentence, the range in which the model is valid, and the curve. Then a
-/// sentence on how far the gap shrinks.
+/// Shows each form of a gap: a sentence, the range in which the model is valid without the form, and the
+/// curve. Below them, a sentence says how far the gap shrinks.
 class FormList : public QWidget {
   Q_OBJECT
 
@@ -23,7 +23,7 @@ class FormList : public QWidget {
   void setGap(const Gap& gap);
 
  signals:
-  void keepWanted(std::size_t form);  ///< keep form `form` (index) as an effect of one's own
+  void keepWanted(std::size_t form);  ///< asks to keep the form with this index as the user's own effect
 
  private:
   struct Row {

@@ -18,7 +18,7 @@ class GapHeadline : public QWidget {
 
   /// Shows the verdict, or why there is none.
   void setGap(const Gap& gap);
-  /// Shows any other state.
+  /// Shows the texts, with the sign and colour of `state`.
   void setText(const QString& headline, const QString& sentence, State state = State::Quiet);
 
  protected:

@@ -45,7 +45,7 @@ QWidget* block(const QString& heading, std::initializer_list<QWidget*> parts) {
   return frame;
 }
 
-/// A sentence that describes a good picture.
+/// A note in pale letters below a picture or a switch.
 QLabel* standard(const QString& sentence) {
   QLabel* label = wrappedLabel();
   label->setForegroundRole(QPalette::PlaceholderText);
@@ -172,7 +172,7 @@ QStringList GapPanel::tickedWithLookAlikes() const {
   return ids;
 }
 
-/// Shows each action if the table has rows for it, and enables it if any of these rows is ticked.
+/// Shows an action if it applies to any row of the table, and enables the action if such a row is ticked.
 void GapPanel::showActions() {
   const auto& causes = m_gap->diagnosis->causes;
   const auto canBeAdded = [](const Cause& cause) { return effectById(cause.effect) != nullptr; };

@@ -45,9 +45,9 @@ class GapPanel : public ScrollPage {
   void placeActivated(const alidade::Place& place);
   void exclusionWanted(const alidade::Place& place);
   void rowsExclusionWanted(const alidade::RowRange& rows);
-  void formWanted(const alidade::FoundForm& form);  ///< is to be kept as an effect
+  void formWanted(const alidade::FoundForm& form);  ///< asks to keep the form as an effect
   void noiseWanted(const alidade::StatedNoise& noise);
-  void referenceWanted(bool wanted);  ///< whether the causes are to be weighed with the reference
+  void referenceWanted(bool wanted);  ///< asks to weigh the causes with the reference, or without
 
  protected:
   void hideEvent(QHideEvent* event) override;
@@ -65,7 +65,7 @@ class GapPanel : public ScrollPage {
   void showReference();
   void showCandidate();
   void addCandidate();
-  /// The ticked rows that are, or are not, effects of the model.
+  /// The ids of the ticked causes that are effects of the model or, if not `isOfModel`, are not.
   QStringList ticked(bool isOfModel) const;
   /// The ticked causes and their look-alikes, without those already in the model.
   QStringList tickedWithLookAlikes() const;
@@ -92,8 +92,8 @@ class GapPanel : public ScrollPage {
   QLabel* m_withReferenceNote;
   StatementView *m_required, *m_next, *m_undetectable, *m_known;
   QList<QWidget*> m_blocks;                              ///< in reading order
-  QWidget *m_causesBlock, *m_formsBlock, *m_whereBlock;  ///< of `m_blocks`, not always shown
-  bool m_returnsToReference = false;  ///< gives the keyboard back to the switch after the diagnosis
+  QWidget *m_causesBlock, *m_formsBlock, *m_whereBlock;  ///< those of `m_blocks` that are not always shown
+  bool m_returnsToReference = false;  ///< true: the switch gets the keyboard again after the diagnosis
 };
 
 }  // namespace alidade::ui

@@ -15,8 +15,8 @@ namespace alidade::ui {
 
 namespace {
 
-/// Advice about a jump: which rows may be excluded, and under what condition. The rows that stay must have
-/// the orientation of every pointing zero that they use.
+/// Advice about a jump: which rows may be excluded, and the condition for it. The remaining rows must have
+/// the same orientation as every pointing zero that they use.
 QString jumpText(const Session& session, const Jump& jump) {
   if (jump.isAtZero)
     return RemedyList::tr(

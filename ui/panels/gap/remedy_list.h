@@ -13,7 +13,7 @@ class QVBoxLayout;
 
 namespace alidade::ui {
 
-/// Remedies for causes that are not effects of the model: misread values, a jump, larger noise. Also for the
+/// Remedies for causes that are not effects of the model (misread values, a jump, larger noise), and for the
 /// vertical angle relation, which is better set than estimated. Buttons only emit signals. Hidden if empty.
 class RemedyList : public QWidget {
   Q_OBJECT
@@ -33,7 +33,7 @@ class RemedyList : public QWidget {
 
  private:
   void addText(const QString& text);
-  /// Adds a button to the row of the cause being shown.
+  /// Adds a button to the current row of buttons; if `m_buttons` is null, starts a row.
   QPushButton* addButton(const QString& text, const QString& name);
   void addRelation(const Gap& gap);
   void addGrossErrors(const Cause& cause);
@@ -42,7 +42,7 @@ class RemedyList : public QWidget {
   void addNoise(const Gap& gap, const Cause& cause);
 
   QVBoxLayout* m_layout;
-  QBoxLayout* m_buttons = nullptr;  ///< of the cause being shown; null until it has a button
+  QBoxLayout* m_buttons = nullptr;  ///< buttons of the current cause; null before its first button
 };
 
 }  // namespace alidade::ui

@@ -18,7 +18,7 @@ namespace alidade::ui {
 
 namespace {
 
-/// True if an entry needs a stated reason. An exclusion has its note, a proposal or an import its origin.
+/// True if the entry states no reason: an exclusion has its note, a proposal or an import has its origin.
 bool isReasonMissing(const JournalEntry& entry) {
   namespace why = journal_reasons;
   const std::string_view unexplained[] = {why::retyped, why::cleared,  why::pasted, why::usedAgain,
@@ -84,7 +84,7 @@ void ChangeReasonBar::end() {
   emit askingChanged(false);
 }
 
-/// Return, or the focus going elsewhere in the window, states the reason; Escape drops it.
+/// Return, or a move of the focus within the window, states the reason; Escape drops the typed text.
 bool ChangeReasonBar::eventFilter(QObject* watched, QEvent* event) {
   if (event->type() == QEvent::KeyPress) {
     const int key = static_cast<QKeyEvent*>(event)->key();

@@ -148,12 +148,12 @@ void EffectsPanel::handIn(QTreeWidgetItem* item) {
   if (item->parent()) return;
   const std::string id = idOf(*item);
   const bool isEstimated = item->checkState(0) == Qt::Checked;
-  // Deferred: the list may delete the item that it is still using.
+  // Queued, since the edit may delete the item whose signal the list is still emitting.
   QMetaObject::invokeMethod(
       this, [this, id, isEstimated] { setEffect(m_document, id, isEstimated); }, Qt::QueuedConnection);
 }
 
-/// Shows the size of an effect with one number in its own row, the sizes of several numbers in rows below.
+/// Shows a single size in the row of the effect, several sizes in rows below it.
 void EffectsPanel::setEvaluation(const Evaluation& evaluation) {
   const QSignalBlocker quiet(m_list);
   const auto& estimates = evaluation.fit.effects;

@@ -12,8 +12,8 @@ namespace alidade::ui {
 
 class SessionDocument;
 
-/// The catalogue of effects: ticking one estimates it along with the arcs and shows its size. Ticks follow
-/// the session, sizes the newest evaluation.
+/// The catalogue of effects: ticking an effect estimates its size along with the arcs. Ticks follow the
+/// session, sizes the newest evaluation.
 class EffectsPanel : public QWidget {
   Q_OBJECT
 

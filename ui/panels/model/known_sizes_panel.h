@@ -21,7 +21,7 @@ class KnownSizesPanel : public QWidget {
   void commitOpenEditor();
   /// True if a text in the table is unusable.
   bool hasProblem() const;
-  /// Leads to an entry of the session, or to the first number of an effect.
+  /// Makes a cell current: that of an entry of the session, or of the first number of an effect.
   void reveal(const KnownPlace& place);
   void reveal(const std::string& effect);
 

@@ -137,7 +137,7 @@ void KnownSizesTable::clearCells() {
   type(std::move(texts), tr("Clear known sizes"));
 }
 
-/// Types from the last row to the first, since a row may vanish with its entry.
+/// Enters the texts from the last row to the first, since clearing an entry may remove its row.
 void KnownSizesTable::type(std::vector<NewText> texts, const QString& undoText) {
   std::erase_if(texts, [this](const NewText& text) { return !changes(text); });
   std::ranges::stable_sort(texts, std::greater(), &NewText::row);
@@ -148,7 +148,7 @@ void KnownSizesTable::type(std::vector<NewText> texts, const QString& undoText) 
   if (isMany) m_document.endTogether();
 }
 
-/// True if the text changes the session. Clearing the empty u of an otherwise empty entry removes the entry.
+/// True if the text changes the session. An empty u counts if it removes an entry that has no text.
 bool KnownSizesTable::changes(const NewText& text) const {
   const auto typed = [&](int column) {
     return m_model.index(text.row, column).data(Qt::EditRole).toString();

@@ -11,7 +11,7 @@ class DataTable;
 class StatementView;
 
 /// The two-face table: collimation, trunnion tilt and index from the differences of the faces, then every
-/// visit read in both.
+/// visit that was read in both faces.
 class TwoFacesPanel : public QWidget {
   Q_OBJECT
 

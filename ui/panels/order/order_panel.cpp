@@ -51,7 +51,7 @@ QLabel* textLabel(const QString& name) {
   return label;
 }
 
-/// True if both have the same readings, protocol and acceptance.
+/// True if both sessions have the same readings, protocol and acceptance.
 bool isAlike(const Evaluation& one, const Evaluation& other) {
   return one.session.protocol == other.session.protocol && measuresAlike(one.session, other.session) &&
          one.session.acceptance == other.session.acceptance;
@@ -65,7 +65,7 @@ std::vector<Measure> adviceOf(const SharedGap& gap) {
   return {};
 }
 
-/// The name that the author gave the protocol; for the program's own, its sightings in words.
+/// The name that the author gave the protocol; for one of the program's protocols, its sightings in words.
 QString nameOf(const SightingProtocol& protocol) {
   constexpr int longest = 60;
   const bool isOurs = protocol.name.empty() || protocolByName(protocol.name);

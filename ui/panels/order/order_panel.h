@@ -18,9 +18,9 @@ class DataTable;
 class SessionDocument;
 class StatementView;
 
-/// The session's protocol: the next sighting with its expected readings, the remaining ones, what to repeat
-/// and why, and all sightings in order. Says when the sightings suffice or, in a protocol by worth, which
-/// ones reach a U. Also chooses another protocol.
+/// Shows the session's protocol: the next sighting with its expected readings, the remaining sightings, what
+/// to repeat and why, and all sightings in order. States the U that the protocol reaches or, in a protocol by
+/// worth, the sightings that reach a wanted U. The user can choose another protocol.
 class OrderPanel : public QWidget {
   Q_OBJECT
 
@@ -37,9 +37,9 @@ class OrderPanel : public QWidget {
  signals:
   void placeActivated(const Place& place);
   void commitWanted();
-  void loadWanted();  ///< a protocol from a file
-  void saveWanted();  ///< the protocol to a file
-  void editWanted();  ///< the protocol in a form
+  void loadWanted();  ///< asks to load a protocol from a file
+  void saveWanted();  ///< asks to save the protocol to a file
+  void editWanted();  ///< asks to edit the protocol in a form
 
  private:
   DataTable* createTable();
@@ -53,9 +53,9 @@ class OrderPanel : public QWidget {
   void showOutlook(const SharedOutlook& outlook);
   QString outlookText(const OutlookOfSession& outlook) const;
   void requestOutlook();
-  void requestAhead();                  ///< in a protocol by worth
-  const Guide* guideThatLeads() const;  ///< null without a protocol, or with an invalid one
-  SharedGap gapOfThis() const;          ///< null if `m_gap` belongs to another state
+  void requestAhead();                  ///< for a protocol by worth
+  const Guide* guideThatLeads() const;  ///< null if there is no protocol or it is invalid
+  SharedGap gapOfThis() const;          ///< null if `m_gap` belongs to another state of the session
   const FollowedSighting& sighting(int row) const;
   QString expectedText(int row, bool isHorizontal) const;
   QString remarkText(int row) const;
@@ -70,17 +70,17 @@ class OrderPanel : public QWidget {
 
   SessionDocument& m_document;
   SharedEvaluation m_evaluation;  ///< never null
-  SharedEvaluation m_searched;    ///< the newest one searched for misread readings; null before the first
-  SharedGap m_gap;                ///< the newest; null before the first
+  SharedEvaluation m_searched;    ///< the newest with a finished search; null before the first
+  SharedGap m_gap;                ///< the newest diagnosis; null before the first
   OutlookJob m_job;
   QToolButton* m_choice;
   QMenu* m_menu;
   QProgressBar* m_progress;
   QLabel *m_next, *m_expected, *m_state, *m_outlook, *m_repeats;
   QDoubleSpinBox* m_uncertainty;      ///< U to reach, mm; 0: none
-  bool m_isUncertaintyTyped = false;  ///< else it follows the tolerance
-  StatementView* m_choiceMade;        ///< in a protocol by worth
-  StatementView* m_ahead;             ///< by worth: the sightings that reach U; else: what would help instead
+  bool m_isUncertaintyTyped = false;  ///< false: `m_uncertainty` follows the tolerance
+  StatementView* m_choiceMade;        ///< why this sighting is next; only in a protocol by worth
+  StatementView* m_ahead;             ///< by worth: sightings that reach U; else: alternatives to more rounds
   DataTable* m_table;
   ListedNext m_listedNext;  ///< the sighting last scrolled to
 };

@@ -8,14 +8,14 @@
 
 namespace alidade::ui {
 
-/// Edits text cells in a line edit. Enter and Tab commit the entry at once and ask to move on.
+/// Edits text cells in a line edit. Enter and Tab commit the entry and emit `keyOnward`.
 class CellDelegate : public QStyledItemDelegate {
   Q_OBJECT
 
  public:
   using QStyledItemDelegate::QStyledItemDelegate;
 
-  static constexpr int signWidth = 14;  ///< of the error or suspect sign, in pixels
+  static constexpr int signWidth = 14;  ///< width of the error or suspect sign, in pixels
 
   /// The editor that is open; null if there is none.
   QLineEdit* openEditor() const;

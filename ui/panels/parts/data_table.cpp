@@ -121,7 +121,7 @@ void DataTable::fitCells() {
   for (int i = 0; i < m_model.columnCount(); ++i) setColumnWidth(i, widths[static_cast<std::size_t>(i)]);
 }
 
-/// Distributes the width that is left among the columns narrower than wanted, from the first on.
+/// Distributes the free width among the columns that are narrower than wanted, from the first on.
 void DataTable::widen(std::vector<int>& widths, const std::vector<int>& wanted) const {
   int room = viewport()->width() - std::accumulate(widths.begin(), widths.end(), 0);
   for (std::size_t i = 0; i < widths.size(); ++i) {

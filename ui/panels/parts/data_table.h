@@ -11,7 +11,7 @@ namespace alidade::ui {
 /// a long table costs no more than a short one.
 struct DataColumn {
   QString title, toolTip;
-  QString sample;  ///< a wide text: the column has its width if there is room; empty: that of the cells
+  QString sample;  ///< the column is as wide as this text if there is room; empty: as wide as its cells
   std::function<QString(int row)> text;
   Qt::Alignment alignment = Qt::AlignRight;  ///< left for words
 };
@@ -23,7 +23,7 @@ class DataModel : public QAbstractTableModel {
   explicit DataModel(std::vector<DataColumn> columns, QObject* parent = nullptr);
 
   const std::vector<DataColumn>& columns() const { return m_columns; }
-  void setRows(int rows);  ///< new figures; the selection stays if the number of rows is unchanged
+  void setRows(int rows);  ///< announces new figures; keeps the selection if the number of rows is unchanged
 
   int rowCount(const QModelIndex& parent = {}) const override;
   int columnCount(const QModelIndex& parent = {}) const override;
@@ -61,9 +61,9 @@ class DataTable : public QTableView {
 
  private:
   int shownWidth(int column) const;
-  /// Sets the width of each column: at least what its cells show, up to its sample. The room that is left
-  /// goes to titles, then to wider cells, then to samples. Called again for another font or width, until the
-  /// user sets a width.
+  /// Sets the width of each column to that of its cells, at most to that of its sample. Free width then
+  /// widens columns up to their titles, next their cells, last their samples. Called again after a change of
+  /// font or width, until the user sets a width.
   void fitCells();
   void widen(std::vector<int>& widths, const std::vector<int>& wanted) const;
   void fitAgain();

@@ -23,15 +23,15 @@ class ButtonRow : public QWidget {
   QHBoxLayout* m_layout;
 };
 
-/// Makes the non-destructive button the default: it has the keyboard focus, and Return presses it wherever
-/// the focus is. Call once all buttons of the dialog exist.
+/// Focuses the non-destructive button and makes it the default, so that Return presses it even when another
+/// widget has the focus. Call once all buttons of the dialog exist.
 void makeSafeButton(QPushButton& button);
 
 /// A wrapping label that shows its text without interpreting markup.
 QLabel* createPlainLabel(const QString& text);
 
-/// A list of the program's languages, each under its own name, below `other` for none of them; `chosen` is an
-/// id of a `LanguageInfo` or empty.
+/// A list of the program's languages, each under its own name. The first entry, `other`, stands for no
+/// language. `chosen`: the id of a `LanguageInfo`, or empty.
 QComboBox* createLanguageChoice(const QString& other, const QString& chosen);
 
 }  // namespace alidade::ui

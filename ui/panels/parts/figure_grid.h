@@ -26,7 +26,7 @@ class FigureGrid : public QWidget {
     bool isBold = false;
     std::optional<double> bar = {};  ///< 0…1, behind the figure of the column `barColumn`
     QString tick = {};               ///< id of a row that can be ticked
-    bool isTicked = false;           ///< at first
+    bool isTicked = false;           ///< initial state of the tick box
   };
 
   enum class Captions {

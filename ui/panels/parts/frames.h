@@ -15,11 +15,11 @@ namespace alidade::ui {
 QSplitter* split(Qt::Orientation orientation, const char* name, std::initializer_list<QWidget*> parts,
                  const QList<int>& sizes);
 
-/// True once a person moved a handle of the splitter, in this window or in the one whose layout was restored.
+/// True once a person moved a handle of the splitter, here or in the window whose layout was restored.
 bool isSetByHand(const QSplitter& splitter);
 void markSetByHand(QSplitter& splitter);
 
-/// Wraps the content in a layout, since a splitter's minimum size counts only a layout's margins.
+/// Gives the margins to a layout around `content`: a splitter's minimum size ignores other margins.
 QWidget* padded(QWidget* content, const QMargins& margins);
 
 /// Shows the whole content if there is room, else scrolls it.

@@ -8,7 +8,7 @@ class QMenu;
 
 namespace alidade::ui {
 
-/// Adds the protocols that the program knows, in words; `follow` is called with the one chosen.
+/// Adds the program's own protocols, described in words; `follow` receives the one that the user chooses.
 void addNamedProtocols(QMenu& menu, const std::function<void(const SightingProtocol&)>& follow);
 
 }  // namespace alidade::ui

@@ -5,8 +5,8 @@
 
 namespace alidade::ui {
 
-/// Shows the table of a statement with many rows or columns: selected by rows, copied for a spreadsheet, the
-/// remarks on its columns as tool tips.
+/// Shows the table of a statement with many rows or columns. Rows can be selected and copied for a
+/// spreadsheet; tool tips show the remarks on the columns.
 class StatementTable : public DataTable {
   Q_OBJECT
 

@@ -13,8 +13,8 @@ namespace alidade::ui {
 
 class FigureGrid;
 
-/// Shows a statement: its title, its table with remarks as tool tips, its sentences and note. Rows with an id
-/// can be ticked, if wanted.
+/// Shows a statement: its title, its table with remarks as tool tips, its sentences and note. `setTicks`
+/// gives tick boxes to rows with an id.
 class StatementView : public QWidget {
   Q_OBJECT
 
@@ -23,7 +23,7 @@ class StatementView : public QWidget {
 
   /// Hidden without a statement, or with an empty one.
   void setStatement(const std::optional<Statement>& statement);
-  /// Whether the row with this id is ticked at first; absent: it has no tick. Holds for later statements.
+  /// Whether the row with this id starts ticked; absent: no tick box. `setTicks` acts on later statements.
   using TickOf = std::function<std::optional<bool>(const std::string& id)>;
   void setTicks(TickOf tickOf);
   /// The ids of the ticked rows, in order.

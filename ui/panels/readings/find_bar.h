@@ -11,7 +11,7 @@ class QLineEdit;
 
 namespace alidade::ui {
 
-/// Searches a text in the readings and leads to the next or previous match.
+/// Asks for a text and for its next or previous match in the readings.
 class FindBar : public QFrame {
   Q_OBJECT
 

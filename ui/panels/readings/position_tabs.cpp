@@ -89,7 +89,7 @@ void PositionTabs::createMissingPage(int axisDeg) {
   addTab(page, tr("%1° missing").arg(axisDeg));
 }
 
-/// Shows the tabs of the missing positions, which follow the tabs of the positions.
+/// Shows a tab for each missing position, behind the tabs of the positions, and hides it otherwise.
 void PositionTabs::showMissing() {
   for (int i = 0; i < 2; ++i) {
     const int tab = static_cast<int>(m_tables.size()) + i;

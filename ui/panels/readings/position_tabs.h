@@ -15,8 +15,8 @@ class ReadingsTable;
 class SessionDocument;
 class ZeroEntries;
 
-/// A tab for each position of the axis: its pointing zero above its readings. Then a tab for each missing
-/// position, with a button to add it.
+/// A tab for each position of the axis, with its pointing zero above its readings; then a tab for each
+/// missing position, with a button to add the position.
 class PositionTabs : public QTabWidget {
   Q_OBJECT
 
@@ -27,7 +27,7 @@ class PositionTabs : public QTabWidget {
   ReadingsTable* currentTable() const;  ///< null if the session has no positions
   void setEvaluation(const SharedEvaluation& evaluation);
   void setColumnShown(ReadingColumn column, bool shown);
-  /// Shows the tab of the position, or of a missing one if the session has fewer.
+  /// Shows the tab of the position, or that of a missing position if the session has fewer positions.
   void showPosition(std::size_t position);
   /// Makes the entry of a field visible.
   void uncover(const Place& place);
@@ -38,7 +38,7 @@ class PositionTabs : public QTabWidget {
   void remark(const QString& text);
   void tableCreated(alidade::ui::ReadingsTable* table);
   void positionWanted(int axisDeg);
-  /// A circle of the next expected row was read; `doubt` is empty if it is as expected (`EntryWatch`).
+  /// A circle reading of the next expected row was typed; `doubt` is that of `EntryWatch::entered`.
   void entered(const QString& doubt);
 
  private:

@@ -12,7 +12,7 @@ class ReadingDelegate : public CellDelegate {
   using CellDelegate::CellDelegate;
 
   void paint(QPainter* painter, const QStyleOptionViewItem& option, const QModelIndex& index) const override;
-  /// A click anywhere in the cell ticks or unticks it.
+  /// A click anywhere in a cell with a check box ticks or unticks the box.
   bool editorEvent(QEvent* event, QAbstractItemModel* model, const QStyleOptionViewItem& option,
                    const QModelIndex& index) override;
 

@@ -88,7 +88,7 @@ void ReadingsTable::layOutColumns() {
 void ReadingsTable::fitCells() {
   verticalHeader()->setDefaultSectionSize(fontMetrics().height() + 7);
   for (const ReadingColumnInfo& info : allReadingColumns()) {
-    if (!info.widest) continue;  // `fitAngles` sets these
+    if (!info.widest) continue;  // `fitAngles` sets the width of angle columns
     const int sparedByResiduals = info.field ? 0 : 4;
     setColumnWidth(static_cast<int>(info.column), widthOf(info.widest) - sparedByResiduals);
   }

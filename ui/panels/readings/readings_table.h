@@ -36,7 +36,7 @@ class ReadingsTable : public EntryTable {
   void deleteSelected();
   /// Asks in place for the reason of excluded rows (ascending), which becomes their note.
   void askReason(const std::vector<std::size_t>& rows);
-  /// Keeps a reason that is being typed.
+  /// Accepts a reason that is being typed.
   void commitReason();
   void toggleExcluded();  ///< includes the selected rows if the first is excluded, otherwise excludes them
 

@@ -18,7 +18,7 @@ class ReasonLine : public QLineEdit {
 
   /// Asks for the reason of these rows (ascending), unless the table is hidden.
   void ask(const std::vector<std::size_t>& rows);
-  /// Closes the line and emits `given` with the text typed so far, unless it is empty.
+  /// Closes the line. Emits `given` with the text typed so far, unless the text is empty.
   void finish();
 
  signals:

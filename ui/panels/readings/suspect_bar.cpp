@@ -85,7 +85,7 @@ void SuspectBar::setUnknown() {
   emit suspectsChanged();
 }
 
-/// Shows the same suspect as before if that reading still looks misread.
+/// Keeps the suspect shown if its reading still looks misread.
 void SuspectBar::setEvaluation(const Evaluation& evaluation) {
   if (!evaluation.isSearched) return setStale();
   const Place before = m_index < m_suspects.size() ? m_suspects[m_index].where : Place{};
@@ -139,7 +139,7 @@ void SuspectBar::resizeEvent(QResizeEvent* event) {
   fitText();
 }
 
-/// Sets the minimum height of the text, since a splitter ignores the height of wrapped text at its width.
+/// Sets the minimum height to that of the wrapped text, which a splitter does not compute from the width.
 void SuspectBar::fitText() {
   m_text->setMinimumHeight(std::max(0, m_text->heightForWidth(width() - 60)));
 }

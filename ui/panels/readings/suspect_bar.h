@@ -28,9 +28,9 @@ class SuspectBar : public QFrame {
   /// Shows the suspect in this row of readings, if any.
   void showReading(std::size_t position, std::size_t row);
 
-  const Suspect* current() const;  ///< null if there is none, or the session has changed since
+  const Suspect* current() const;  ///< null if there is none, or after a change of the session
   bool hasProposal() const;
-  /// Leads to the suspect shown; the next call leads to the next suspect.
+  /// Emits `placeActivated` for the suspect shown; at the next call, shows the next suspect first.
   void goToNext();
   void useProposal(int index = 0);
   void exclude();

@@ -13,8 +13,8 @@ class QToolButton;
 
 namespace alidade::ui {
 
-/// The pointing zero and the axis of one position. On demand also the further sightings of the zero, in face
-/// 2 and after the readings, with the mean of all.
+/// Shows the pointing zero and the axis of one position; on demand, also the further sightings of the zero in
+/// face 2 and after the readings. Below follows the mean of all sightings of the zero.
 class ZeroEntries : public QWidget {
   Q_OBJECT
 
@@ -23,7 +23,7 @@ class ZeroEntries : public QWidget {
 
   void setEvaluation(const Evaluation& evaluation);
   void showFurther(bool shown);
-  bool hasFurther() const;  ///< true if the session has a text of a further sighting
+  bool hasFurther() const;  ///< true if the position has a text of a further sighting
 
  signals:
   void furtherWanted(bool shown);

@@ -21,7 +21,7 @@ namespace alidade::ui {
 
 namespace {
 
-/// "Distance L is empty: …", "0°, row 4 (point 4), vertical reading: “83 99 34” has …".
+/// Place and problem: "Distance L is empty: …", "0°, row 4 (point 4), vertical reading: “83 99 34” has …".
 QString problemText(const Session& session, const Problem& problem) {
   const QString place = accessiblePlace(session, problem.where);
   const QString what = qText(problem.what);
@@ -153,7 +153,7 @@ FindingsPanel::Entry FindingsPanel::gapEntry() const {
 std::vector<FindingsPanel::Entry> FindingsPanel::entriesOf(const Evaluation& evaluation) {
   std::vector<Entry> entries = problemEntries(evaluation, false);
   std::ranges::move(problemEntries(evaluation, true), std::back_inserter(entries));
-  // The suspect bar shows the suspects, with the possible actions.
+  // Suspects are not listed here, since the suspect bar shows them with their actions.
   for (const Finding& finding : findingsOf(evaluation)) {
     const QString icons[] = {QStringLiteral("note"), QStringLiteral("warning"), QStringLiteral("problem")};
     const QString accessible[] = {tr("Note"), tr("Warning"), tr("Error")};
@@ -163,7 +163,7 @@ std::vector<FindingsPanel::Entry> FindingsPanel::entriesOf(const Evaluation& eva
   return entries;
 }
 
-/// The unusable entries, or the missing ones. Lists at most `mostListed`; the table of readings marks all.
+/// The missing entries if `missing`, else the unusable entries. At most `mostListed`: the table marks all.
 std::vector<FindingsPanel::Entry> FindingsPanel::problemEntries(const Evaluation& evaluation, bool missing) {
   const QString icon = missing ? QStringLiteral("incomplete") : QStringLiteral("problem");
   const QString accessible = missing ? tr("Missing") : tr("Problem");

@@ -13,7 +13,7 @@ class FindingsPanel : public QListWidget {
   Q_OBJECT
 
  public:
-  /// The number of problems of a kind with a line each; one more line counts the rest.
+  /// At most this many problems of a kind have a line of their own; one more line counts the rest.
   static constexpr std::size_t mostListed = 200;
 
   explicit FindingsPanel(QWidget* parent = nullptr);
@@ -25,12 +25,12 @@ class FindingsPanel : public QListWidget {
   void setGapStale();
   /// Empties the list for another session, which is not diagnosed yet.
   void clearGap();
-  /// The height that shows every line at this width.
+  /// The height that shows every line at the present width.
   int wholeHeight() const;
 
  signals:
   void placeActivated(const alidade::Place& place);
-  /// Counts by kind: "2 problems, 1 warning"; empty for one or none.
+  /// Counts by kind: "2 problems, 1 warning"; empty for fewer than two lines.
   void counted(const QString& text);
   void gapActivated();
   void listed();  ///< the lines have changed

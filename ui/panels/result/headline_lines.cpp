@@ -43,7 +43,7 @@ void HeadlineLines::setLines(const std::vector<Headline::Line>& lines) {
     shown.icon->setVisible(line.isWarning);
     shown.icon->setPixmap(themeIcon(QStringLiteral("warning")).pixmap(16, 16));
     shown.text->setObjectName(isOfGap ? QStringLiteral("gap hint") : QString());
-    shown.text->clear();  // a link takes its colour when the text is set
+    shown.text->clear();  // so that `setText` gives a link its present colour
     shown.text->setTextFormat(isOfGap ? Qt::RichText : Qt::PlainText);
     shown.text->setText(
         isOfGap ? QStringLiteral("%1 &nbsp;<a href=\"gap\">%2</a>").arg(text.toHtmlEscaped(), tr("Gap"))

@@ -23,12 +23,12 @@ namespace alidade::ui {
 
 namespace {
 
-/// Whether there is a result. Without one the panel says what is missing.
+/// True if there is a result. Without a result, the panel says what is missing.
 bool hasResult(const Headline& headline) {
   return !headline.fitOnly.empty();
 }
 
-/// True if the reason can be folded away. The reason of an open result is always shown.
+/// True if the fold hides the reason of the verdict. Without a decided verdict, the reason is always shown.
 bool isReasonFolded(const Headline& headline) {
   return headline.decided && *headline.decided != Verdict::Undecided;
 }

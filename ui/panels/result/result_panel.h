@@ -16,8 +16,8 @@ class HeadlineLines;
 class StatementView;
 class ToleranceBar;
 
-/// The result at a glance: the headline in large type with its place on the scale of the tolerance, what to
-/// read before the verdict is used, and a fold with the reason of the verdict and Δd, fit only; then both
+/// The result at a glance: the headline in large type with its place on the scale of the tolerance,
+/// warnings about the verdict, and a fold with the reason of the verdict and Δd, fit only; then both
 /// arcs and, on request, the published method. Says what is missing if there is no result. All figures can be
 /// selected and copied.
 class ResultPanel : public ScrollPage {
@@ -60,7 +60,7 @@ class ResultPanel : public ScrollPage {
   QLabel* m_badge;
   QLabel* m_tolerance;
   ToleranceBar* m_bar;
-  QLabel* m_reason;  ///< why there is no verdict, or why it is open
+  QLabel* m_reason;  ///< why there is no verdict, or why it is undecided
   HeadlineLines* m_lines;
   QLabel* m_missing;  ///< what is missing for a result
   QToolButton* m_more;

@@ -12,9 +12,9 @@ class SessionDocument;
 class SimulationBox;
 class StatementView;
 
-/// The uncertainty budgets: of Δd, measured, with every effect of the catalogue; of Δd, fit only, and of each
-/// centre coordinate, with readings, model effects, known radius, pointing zeros and distance. Checks the fit
-/// by Monte Carlo on request.
+/// The uncertainty budgets. That of Δd, measured, lists every effect of the catalogue. Those of Δd, fit only,
+/// and of each centre coordinate list readings, model effects, known radius, pointing zeros and distance.
+/// Checks the fit by Monte Carlo on request.
 class BudgetPanel : public ScrollPage {
   Q_OBJECT
 
@@ -28,7 +28,7 @@ class BudgetPanel : public ScrollPage {
   void setGapStale();
   /// Hides the budget of Δd, measured, for another session, which is not diagnosed yet.
   void clearGap();
-  /// The session changed: stops a Monte Carlo run of another state.
+  /// The session changed: stops a Monte Carlo run whose input has changed.
   void stopOutdatedSimulation();
 
  signals:

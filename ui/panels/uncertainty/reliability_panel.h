@@ -15,9 +15,9 @@ namespace alidade::ui {
 
 class DataTable;
 
-/// The reliability of each reading, as checked by the others: redundancy, standardised residual, smallest
-/// detectable error, and the change of Δd by such an undetected error. Numbers entered once, such as pointing
-/// zeros, follow the readings. The selection is synchronised with the readings table.
+/// How well the other readings check each reading: redundancy, standardised residual, smallest detectable
+/// error, and the change of Δd if that error stays undetected. Numbers entered once, such as pointing zeros,
+/// follow the readings. The selection is synchronised with the readings table.
 class ReliabilityPanel : public QWidget {
   Q_OBJECT
 

@@ -24,7 +24,7 @@ class SimulationBox : public QWidget {
   explicit SimulationBox(const SessionDocument& document, QWidget* parent = nullptr);
 
   void setEvaluation(const SharedEvaluation& evaluation);
-  /// The session changed: stops a run of another state.
+  /// The session changed: stops a run whose input has changed.
   void stopOutdated();
   const SimulationJob& job() const { return m_job; }
   bool isWanted() const { return m_isWaiting || m_job.isAtWork(); }  ///< running or waiting
@@ -44,7 +44,7 @@ class SimulationBox : public QWidget {
   SimulationJob m_job;
   SharedEvaluation m_evaluation;
   SharedEvaluation m_simulated;  ///< the evaluation of the running simulation; null before the first
-  SharedBudgetCheck m_check;     ///< the last successful check; null before
+  SharedBudgetCheck m_check;     ///< the last successful check; null before the first
   QString m_remark;              ///< why the last run gave no result
   bool m_isWaiting = false;      ///< runs once the current session is fitted
   QTimer m_watch;

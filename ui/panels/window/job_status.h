@@ -11,8 +11,8 @@ namespace alidade::ui {
 class FitJob;
 class GapJob;
 
-/// Shows work on the session in the status bar if it takes longer than a moment. A button stops everything
-/// except the fit, which ends with the next edit.
+/// Shows work on the session in the status bar if it takes longer than a moment. A button stops the
+/// diagnosis and the search for misread readings, but no fit.
 class JobStatus : public QWidget {
   Q_OBJECT
 

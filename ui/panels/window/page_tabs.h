@@ -8,7 +8,7 @@
 
 namespace alidade::ui {
 
-/// Pages of an evaluation. Only the one in front is updated: a hidden page costs nothing per edit and is
+/// Pages of an evaluation. Only the page in front is updated: a hidden page costs no time per edit, and is
 /// updated when it comes to the front.
 class PageTabs : public QTabWidget {
   Q_OBJECT
@@ -19,7 +19,7 @@ class PageTabs : public QTabWidget {
 
   using QTabWidget::QTabWidget;
 
-  /// Adds a page. It is always shown without `wanted`, otherwise only if `wanted` returns true.
+  /// Adds a page, which is shown if `wanted` is empty or returns true.
   void addPage(QWidget* page, const QString& title, Show show, Wanted wanted = {});
 
   void setEvaluation(SharedEvaluation evaluation);
@@ -39,7 +39,7 @@ class PageTabs : public QTabWidget {
   SharedEvaluation m_evaluation;
 };
 
-/// Shows the evaluation by the page's `setEvaluation`.
+/// A `Show` that passes the evaluation to the page's `setEvaluation`.
 template <typename Panel>
 PageTabs::Show showIn(Panel* panel) {
   return [panel](const SharedEvaluation& evaluation) {
