@@ -31,10 +31,10 @@ std::optional<double> conformanceOf(const IntersectionEstimate& inPlane, const M
                                     double tolerance);
 
 /// Returns the largest probability, 0…1, that a guarded verdict (`decide`) at this tolerance (mm, > 0) is
-/// wrong. An acceptance at |Δd| + U = tolerance is wrong if the true |Δd| exceeds the tolerance, a rejection
-/// at |Δd| − U = tolerance if it does not. The distribution of Δd has the width and skewness of `estimate`.
-/// The result is (1 − coverage)/2 if this distribution is symmetric and U far below the tolerance. Absent if
-/// U is infinite.
+/// wrong. An acceptance at |Δd| + U = tolerance is wrong if the true |Δd| exceeds the tolerance. A rejection
+/// at |Δd| − U = tolerance is wrong if the true |Δd| does not exceed it. The distribution of Δd has the width
+/// and skewness of `estimate`. The result is (1 − coverage)/2 if this distribution is symmetric and U is far
+/// below the tolerance. Absent if U is infinite.
 ///
 /// Source: JCGM 106:2012, 8.3, decision rules based on guard bands; ILAC-G8:09/2019, 4.2, w = U.
 std::optional<double> greatestRisk(const IntersectionEstimate& estimate, double tolerance);

@@ -23,8 +23,8 @@ Verdict verdictOf(const IntersectionEstimate& estimate, double more, const Measu
   return holds ? guarded : Verdict::Undecided;
 }
 
-/// The verdict from Δd, measured. Undecided if the causes leave the measurand undetermined. A part of the
-/// distance alone can only cause a rejection.
+/// The verdict from Δd, measured. Undecided if the readings do not determine the measurand. If the distance
+/// is the measurand and only Δd is measured, Δd can only cause a rejection.
 Verdict verdictOf(const std::optional<MeasuredIntersection>& measured, double more,
                   const Measurement& measurement) {
   if (!measured) return Verdict::Undecided;
@@ -38,8 +38,8 @@ Verdict verdictOf(const std::optional<MeasuredIntersection>& measured, double mo
   return inPlane == Verdict::Reject ? inPlane : Verdict::Undecided;
 }
 
-/// Whether the two accounts contradict each other. If the distance is the measurand, the fit determines only
-/// a part of it, which may be within the tolerance although the whole distance is not.
+/// Whether the results of fit only and measured contradict each other. If the distance is the measurand, the
+/// fit determines only a part of it, which may be within the tolerance although the whole distance is not.
 bool contradict(const AcceptanceDecision& decision, Measurand measurand) {
   if (measurand == Measurand::Distance)
     return decision.asFound == Verdict::Accept && decision.asModelled != Verdict::Accept;
@@ -69,7 +69,7 @@ std::optional<double> conformanceOf(const Measurement& measurement, const Sessio
   const double more = diagnosis->unexplained.sigma;
   auto conformance = conformanceWith(more, *diagnosis->measured, measurement);
   if (!conformance) return conformance;
-  double odds = 1;  // relative to sessions without such a jump
+  double odds = 1;  // relative to sessions without undetectable jumps
   for (const UndetectableJump& jump : diagnosis->undetectableJumps)
     for (const NormalPart& move : jump.moves) {
       const auto with = conformanceWith(std::hypot(more, move.sigma), *diagnosis->measured, measurement);
@@ -79,7 +79,7 @@ std::optional<double> conformanceOf(const Measurement& measurement, const Sessio
   return *conformance / odds;
 }
 
-/// Returns the jumps that would have changed the verdict, had they occurred with the same readings.
+/// Returns the jumps whose influence, added to the standard uncertainty of Δd, changes the verdict.
 std::vector<std::size_t> conditionsOf(const Measurement& measurement, const Diagnosis& diagnosis,
                                       Verdict verdict) {
   std::vector<std::size_t> conditions;

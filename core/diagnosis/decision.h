@@ -9,25 +9,25 @@
 
 namespace alidade {
 
-// The verdict of an acceptance, the diagnosis taken into account. It is a function of the evidence with
-// thresholds and without switches.
+// The verdict of an acceptance, which includes the diagnosis. It is a function of the evidence with fixed
+// thresholds.
 //
-// 1. Both accounts must agree: Δd ± U of the session's own model, and the measured Δd.
+// 1. Both results must agree: Δd ± U of the session's own model, and the measured Δd.
 // 2. The measured Δd must satisfy the guard band (`decide`: accept only if |Δd| + U ≤ T, reject only if |Δd|
 // − U > T). It must also keep the risk on either side of the tolerance small, with the coverage c:
 //
 //      accept:  P(Δd > T) ≤ (1 − c)/2 and P(Δd < −T) ≤ (1 − c)/2,
 //      reject:  P(Δd ≤ T) ≤ (1 − c)/2 or P(Δd ≥ −T) ≤ (1 − c)/2.
 //
-//    For a single account Δd ± kσ with P(t ≤ k) = (1 + c)/2 these equal the guard band, since P(Δd > T) = (1
-//    − c)/2 if Δd + kσ = T. For several distant accounts they are stricter.
-// 3. P is that of the averaged accounts (`IntersectionEstimate`), each with the further standard uncertainty
-//    of unexplained misclosures (`Unexplained::sigma`). So a closure counts as explained with the probability
-//    of its cause.
+//    For a single explanation Δd ± kσ with P(t ≤ k) = (1 + c)/2 these conditions equal the guard band: for Δd
+//    + kσ = T, P(Δd > T) = (1 − c)/2. For several distant explanations they are stricter.
+// 3. P is that of the averaged explanations (`IntersectionEstimate`), each with the further standard
+//    uncertainty of unexplained misclosures (`Unexplained::sigma`). The contribution of a misclosure
+//    decreases with the probability of its cause.
 // 4. The verdict is open if the gap is real and unexplained with a probability above `mostUnexplained`.
 // 5. An undetectable effect of the catalogue is in U and in the probability, at its plausible size. An
-//    undetectable jump is a condition of the verdict, stated if a jump of plausible size would have changed
-//    the verdict. The probability of conformity includes it, with its prior odds.
+//    undetectable jump is a condition of the verdict if its influence on Δd, added to the standard
+//    uncertainty, changes the verdict. The probability of conformity includes the jump, with its prior odds.
 
 /// Least coverage of U for a verdict: a guard band of lower coverage gives no protection.
 constexpr double leastCoverageOfVerdict = 0.9;
@@ -36,29 +36,29 @@ struct AcceptanceDecision {
   /// The reason why the verdict is neither accept nor reject.
   enum class Obstacle {
     None,
-    Uncertainty,    ///< U is too large, in both accounts
+    Uncertainty,    ///< U is too large in both results
     Lengths,        ///< a length is in doubt, so the verdict is withheld
     Coverage,       ///< the coverage of U is too low for a verdict
-    Contradiction,  ///< the two accounts differ
+    Contradiction,  ///< the results of fit only and measured differ
     AcrossUnknown,  ///< the tolerance applies to the distance from the axis, and a part of it was not
                     ///< measured
     Unexplained,    ///< the gap is real, and almost certainly no effect of the catalogue explains it
   };
 
   Verdict verdict = Verdict::Undecided;
-  /// From Δd ± U of the session's own model. Of the distance from the axis this model determines only Δd.
+  /// From Δd ± U of the session's own model, which determines only the part Δd of the distance from the axis.
   Verdict asModelled = Verdict::Undecided;
   /// From the measured Δd (2 and 3 above); absent without a diagnosis.
   std::optional<Verdict> asFound = {};
   Obstacle obstacle = Obstacle::Uncertainty;
-  /// Whether both accounts, fit only and measured, must be shown with the verdict.
+  /// Whether both results, fit only and measured, must be shown with the verdict.
   bool showsBoth = false;
   /// Probability, 0…1, that the measurand is within the tolerance: from the measured Δd, or without a
   /// diagnosis from the fit only (`conformanceOf`). Undetectable jumps are included. Absent if the verdict is
-  /// withheld, the gap unexplained, U infinite, or a part not measured.
+  /// withheld, the gap is unexplained, U is infinite, or a part of the measurand is not measured.
   std::optional<double> conformance = {};
-  /// Indices into `Diagnosis::undetectableJumps`. The verdict, accept or reject, would change if one of these
-  /// jumps of plausible size had occurred.
+  /// Indices into `Diagnosis::undetectableJumps`: the jumps whose influence on Δd, added to the standard
+  /// uncertainty, changes the verdict from accept or reject.
   std::vector<std::size_t> conditions = {};
 
   bool operator==(const AcceptanceDecision&) const = default;

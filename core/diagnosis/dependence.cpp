@@ -13,7 +13,7 @@ namespace alidade {
 
 namespace {
 
-/// A row, given by its arc and its index in this arc, and the first-order effect of its exclusion.
+/// A row and the first-order effect of its exclusion.
 struct Influence {
   std::size_t arc = 0, sighting = 0;  ///< indices in the measurement
   double shift = 0;                   ///< change of Δd, mm
@@ -60,7 +60,7 @@ Dependence dependenceOn(const Measurement& measurement, const Influence& row, Ve
           sighting.point, sighting.face, without,     isExact};
 }
 
-/// Returns the verdict for a shifted Δd with everything else unchanged.
+/// Returns the verdict after a change of Δd alone by `shift`, mm.
 Verdict shifted(const Measurement& measurement, const SessionFit& fit, const Diagnosis* diagnosis,
                 double shift) {
   const auto decided = [&](const auto& length) {
@@ -84,7 +84,7 @@ Verdict verdictWithout(Measurement measurement, const Influence& row, bool withD
   return decision && diagnosis.has_value() == withDiagnosis ? decision->verdict : Verdict::Undecided;
 }
 
-/// Returns the rows to exclude: half of them change Δd most, the others contribute most to χ².
+/// Returns the rows to exclude: half of them change Δd most, the other half contributes most to χ².
 std::vector<Influence> mostInfluential(std::vector<Influence> rows) {
   const auto take = [&](std::size_t first, auto size) {
     const auto from = rows.begin() + static_cast<std::ptrdiff_t>(std::min(first, rows.size()));

@@ -14,8 +14,8 @@ namespace alidade {
 // redundancies, g = ∂Δd/∂reading. 1 − h = Σ r/c is the share that other rows check. c is the number of
 // readings of the row, minus one if its visit has no other row, since one reading then fixes the arc angle.
 //
-// The diagnosis's choice of an explanation is not linear in the readings. So the rows that move Δd most, and
-// those that contribute most to χ², Σ (v/σ)²/(1 − h), are left out with a new fit, diagnosis and decision.
+// The diagnosis's choice of an explanation is not linear in the readings. Rows that move Δd most or
+// contribute most to χ², Σ (v/σ)²/(1 − h), are therefore left out with a new fit, diagnosis and decision.
 
 /// A row whose exclusion changes the verdict.
 struct Dependence {
@@ -25,9 +25,9 @@ struct Dependence {
   bool isExact = true;                   ///< false if evaluated to first order only
 };
 
-/// The largest number of rows that are excluded with a new fit and diagnosis each.
+/// At most this number of rows are excluded, each with a new fit and diagnosis.
 constexpr std::size_t mostLeftOut = 8;
-/// Longer sessions are examined to first order only.
+/// Sessions with more rows are examined to first order only.
 constexpr std::size_t mostRowsForLeavingOut = 500;
 
 /// Returns the rows in the order of the session. The arguments are those of `decideAcceptance`, which made

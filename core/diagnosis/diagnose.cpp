@@ -96,7 +96,7 @@ std::optional<Closure> referenceIn(const std::vector<ClosureStep>& closures) {
   return std::nullopt;
 }
 
-/// Returns the first cause that has look-alikes, and these look-alikes. Gross errors have none.
+/// Returns the first cause that has look-alikes, and these look-alikes. Gross errors are skipped.
 std::vector<PossibleCause> possibleCausesOf(const Inquiry& inquiry, const Answer& answer) {
   const auto possible = [&](const Part& part, double odds) {
     const Component& component = inquiry.of(part);
@@ -126,8 +126,8 @@ std::vector<ReadingDeviation> readingsOf(const GapModel& model) {
   return readings;
 }
 
-/// Returns forms if the catalogue does not explain the gap, or only by inseparable effects. In the second
-/// case forms must beat those effects at three times their plausible size, and resemble none of them.
+/// Returns forms if no effect, or only inseparable effects, explain the gap. In the second case, forms must
+/// beat the effects at three times their plausible size, and must resemble no effect.
 FoundForms formsOf(const Inquiry& inquiry, const Answer& answer, const DiagnosisOptions& options,
                    const std::stop_token& stop) {
   constexpr EffectScales asPlausible, large{3, 3, 3};
@@ -143,12 +143,11 @@ FoundForms formsOf(const Inquiry& inquiry, const Answer& answer, const Diagnosis
   return found;
 }
 
-/// The conclusion from an inquiry.
 struct Conclusion {
   Inquiry inquiry;
   Answer answer;
   std::vector<FoundForm> forms;
-  std::optional<GapShape> shape;  ///< with Unknown
+  std::optional<GapShape> shape;  ///< with an Unknown answer
 };
 
 Conclusion concluded(Inquiry inquiry, const DiagnosisOptions& options, const std::stop_token& stop) {

@@ -12,7 +12,7 @@ namespace alidade {
 
 // Diagnoses the gap: what the fitted model leaves of the readings beyond the stated noise. The result states
 // where the gap lies and which effect of the catalogue causes it. It also states how far the gap shrinks with
-// that effect, what is undetectable, and which further readings would separate look-alikes.
+// that effect, what is undetectable, and which further readings can separate look-alikes.
 
 /// Fails if no arc can be fitted, an identifier is unknown, or a stop was requested. Effects of the
 /// measurement's own model belong to the model, not to the gap. `fit` is the fit of the measurement. See

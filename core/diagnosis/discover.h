@@ -12,8 +12,8 @@ namespace alidade {
 struct Discovery {
   int readings = 0;
   double rms = 0;                ///< rms of the residuals without the span of the base columns, arcsec
-  double reducedChiSquare = 0;   ///< χ²/f of these residuals, with the stated σ
-  double noise = 1;              ///< estimated scatter over the stated one, ≥ 1
+  double reducedChiSquare = 0;   ///< χ²/f of the residuals, with the stated σ
+  double noise = 1;              ///< ratio of the estimated to the stated scatter, ≥ 1
   std::vector<FoundForm> forms;  ///< the likeliest first
 };
 

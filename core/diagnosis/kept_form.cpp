@@ -13,7 +13,7 @@ namespace alidade {
 
 namespace {
 
-/// Returns a size > 0 rounded to two significant digits.
+/// Rounds a size > 0 to two significant digits.
 std::string rounded(double size) {
   const double exponent = std::floor(std::log10(size)) - 1, digit = std::pow(10, exponent);
   return fixedText(std::round(size / digit) * digit, std::max(0, static_cast<int>(-exponent)));

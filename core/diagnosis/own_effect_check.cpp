@@ -102,7 +102,7 @@ std::optional<OwnEffectCheck> checkOwnEffect(const Measurement& measurement, con
   const Result<GapModel, NoModel> found = modelOf(measurement, fit);
   if (!found) return std::nullopt;
   GapModel model = *found;
-  // As an estimated term the effect would absorb itself.
+  // As an estimated term, the effect absorbs its own trace.
   std::erase_if(model.options.terms, [&](const EstimatedTerm& term) {
     return std::ranges::find(entry->terms, term.term) != entry->terms.end();
   });

@@ -21,8 +21,8 @@ struct OwnVisibility {
 /// The check of a user's own effect on a session, before it is used.
 struct OwnEffectCheck {
   std::vector<OwnVisibility> parameters = {};
-  /// Identifier of the catalogued effect that the own effect repeats; empty: none. At some size it explains
-  /// the trace of the own effect at plausible size, up to a rest below 3 σ and 30 % of its length.
+  /// Identifier of the catalogued effect that the own effect repeats; empty: none. At some size, that effect
+  /// explains the trace of the own effect at plausible size, up to a rest below 3 σ and 30 % of the trace.
   std::string sameAs = {};
   std::size_t notFinite = 0;  ///< number of values of the formula that are not finite
   std::size_t values = 0;     ///< number of all values
@@ -34,11 +34,11 @@ struct OwnEffectCheck {
   std::vector<std::string> sentences() const;
 };
 
-/// Checks one of the session's own effects, by its id with `ownPrefix`. Absent if there is no such effect, or
-/// no fit. Takes a few milliseconds for a session of a hundred rows.
+/// Checks one of the session's own effects, by its id with `ownPrefix`. Absent without this effect or without
+/// a fit. Takes a few milliseconds for a session of a hundred rows.
 std::optional<OwnEffectCheck> checkOwnEffect(const Measurement& measurement, const std::string& id);
 
-/// Checks an effect that is being typed, instead of the session's own ones. `effect` must be valid.
+/// Checks an effect that is being typed, instead of the session's own effects. `effect` must be valid.
 std::optional<OwnEffectCheck> checkOwnEffect(Measurement measurement, const OwnEffect& effect);
 
 }  // namespace alidade

@@ -27,7 +27,7 @@ std::vector<FormulaArguments> placesOf(const Measurement& measurement, const Ses
   return places;
 }
 
-/// The one variable of all lines; null: they have several, or none.
+/// The one variable of all lines; null if the lines have several variables or none.
 const FormulaVariable* variableOf(const Formula& formula) {
   const auto& first = formula.lines.front().variables;
   const auto isOfFirst = [&](const FormulaLine& line) { return line.variables == first; };
@@ -40,7 +40,7 @@ struct At {
   FormulaArguments arguments;
 };
 
-/// The values of a counted variable, or many between the least and the largest.
+/// The distinct values of a counted variable, or 201 values over the range of another variable.
 std::vector<At> along(const FormulaVariable& variable, const std::vector<FormulaArguments>& places) {
   constexpr int steps = 200;
   std::vector<double> values;
@@ -62,7 +62,7 @@ std::vector<At> along(const FormulaVariable& variable, const std::vector<Formula
   return all;
 }
 
-/// The sightings in order, evenly thinned if there are very many.
+/// The sightings in order; only every n-th one if there are very many.
 std::vector<At> inOrder(const std::vector<FormulaArguments>& places) {
   constexpr std::size_t most = 1000;
   std::vector<At> all;

@@ -23,15 +23,15 @@ namespace {
 
 using Eigen::MatrixXd, Eigen::VectorXd;
 
-/// An effect with the directions of its numbers to examine, each of plausible size.
+/// An effect, and two combinations of its parameters, of plausible size, in which it is examined.
 struct Planned {
   const Effect* effect = nullptr;
   PlannedEffect summary;
   VectorXd plainest, mostDangerous;
 };
 
-/// Returns directions of plausible size; for two numbers a full turn, because a bent effect differs between
-/// opposite signs.
+/// Returns combinations of plausible size. For two parameters they cover a full turn, because a bent effect
+/// differs between opposite signs.
 std::vector<VectorXd> directionsOf(const Component& component) {
   constexpr int steps = 48;
   const VectorXd sizes = component.usualSizes();
@@ -103,7 +103,7 @@ std::vector<Planned> plannedEffects(const GapModel& model, const Leftover& lefto
   return effects;
 }
 
-/// Returns the effects that further readings could clarify: undetectable ones and look-alikes.
+/// Returns the effects that further readings could clarify: undetectable effects and look-alikes.
 std::vector<Planned> effectsInQuestion(const std::vector<Planned>& effects) {
   const auto isAlikeTo = [](const Planned& planned, const std::string& id) {
     return std::ranges::find(planned.summary.lookAlikes, id, &LookAlike::effect) !=

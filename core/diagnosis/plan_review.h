@@ -19,13 +19,13 @@ namespace alidade {
 /// The visibility of an effect of plausible size, or of the uncertainty of its known size.
 struct PlannedEffect {
   std::string effect;
-  /// Length of its trace, σ of the readings, in the least and the most visible direction of its numbers. Both
-  /// are equal for a single number.
+  /// Length of the trace, σ of the readings, in the least and the most visible direction of the parameters.
+  /// Both lengths are equal for a single parameter.
   double leastVisible = 0, mostVisible = 0;
   /// Its look-alikes in the most visible direction.
   std::vector<LookAlike> lookAlikes;
-  /// Influence on Δd, mm, ≥ 0, and length of the trace, σ. Both are, as in a diagnosis, in the direction of
-  /// the numbers that changes Δd most.
+  /// Influence on Δd, mm, ≥ 0, and length of the trace, σ. Both refer to the direction of the parameters that
+  /// changes Δd most, as in a diagnosis.
   double influence = 0, visibleThere = 0;
   bool undetectable = false;
 };

@@ -70,8 +70,8 @@ class SessionExplanations {
   SessionExplanations(const Inquiry& inquiry, const MatrixXd& columns)
       : m_inquiry(inquiry), m_columns(columns), m_right(columns.transpose() * inquiry.leftover.residual()) {}
 
-  /// Returns the empty explanation and those of the likeliest explanations, each also without its parts that
-  /// affect many readings.
+  /// Returns the empty explanation, then the likeliest explanations: each first without the parts that affect
+  /// many readings, then with all its parts.
   std::vector<SessionExplanation> likeliest() {
     constexpr std::size_t mostExplanations = 12, mostKept = 10;
     constexpr double outOfQuestion = 1e-7;

@@ -22,11 +22,11 @@ namespace alidade {
 // C and the leftover r, both in σ of the readings (`Leftover`). The columns of undetectable effects, of
 // effects in the model and of own effects that the session does not have are 0.
 
-/// One explanation of the session's own causes: none, gross errors, a jump, larger noise, or another cause.
-/// Its columns A, at their prior widths, are eliminated, so that they do not distort the evidence for a
-/// shared effect. This gives N − TᵀT and b − Tᵀt, where t are the components of r along the directions of T.
+/// One explanation by the session's own causes: none, gross errors, a jump, larger noise, or another cause.
+/// Its columns A, at their prior widths, are eliminated and do not distort the evidence for a shared effect.
+/// The result is N − TᵀT and b − Tᵀt; t are the components of r along the directions of T.
 struct SessionExplanation {
-  std::vector<std::string> causes = {};  ///< identifiers, larger noise not included; empty: no cause
+  std::vector<std::string> causes = {};  ///< identifiers, without larger noise; empty: no cause
   bool holdsPattern = false;  ///< contains a cause that affects many readings: an effect, a jump, a shape
   bool noisy = false;         ///< with noise larger than stated
   double noise = 1;           ///< scale of the noise
@@ -43,8 +43,7 @@ struct SessionEvidence {
   std::vector<SessionExplanation> explanations;  ///< the first has no cause
   double chiSquare = 0;                          ///< χ² of the leftover
   int degreesOfFreedom = 0;
-  // Sums of the circle readings' leftover ε in arcseconds: Σ ε², and with the columns E in arcseconds Eᵀε and
-  // EᵀE.
+  // Sums over the circle readings: Σ ε², Eᵀε and EᵀE, with their leftover ε and the columns E in arcseconds.
   std::size_t circleReadings = 0;
   double circleSquares = 0;
   std::vector<double> circleRight, circleNormal;
@@ -61,13 +60,12 @@ Result<SessionEvidence, DiagnosisFault> evidenceOf(const Measurement& measuremen
                                                    const DiagnosisOptions& options = {},
                                                    const std::stop_token& stop = {});
 
-/// The gain in evidence from columns, averaged over equally probable prior widths `sigmas` (plausible sizes)
-/// of their weights. `gram` (row by row) holds their inner products, `right` those with the leftover.
+/// The evidence gained from columns, averaged over equally probable prior widths `sigmas` (plausible sizes)
+/// of their weights. `gram`: inner products, row by row; `right`: products with the leftover.
 struct ColumnGain {
   double log = 0;               ///< natural logarithm
-  double width = 1;             ///< the most likely one, in plausible sizes
-  std::vector<double> weights;  ///< at that width; for a bent effect its two numbers; empty for an
-                                ///< all-or-nothing effect
+  double width = 1;             ///< the most likely width, in plausible sizes
+  std::vector<double> weights;  ///< at `width`; two for a bent effect; none for an all-or-nothing effect
 };
 ColumnGain columnGain(Response response, std::span<const double> gram, std::span<const double> right,
                       std::span<const double> sigmas);

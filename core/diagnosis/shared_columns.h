@@ -11,7 +11,7 @@
 
 namespace alidade {
 
-/// The columns of one effect. A bent one has second derivatives, too: weights (x, y, ½x², xy, ½y²).
+/// The columns of one effect. A bent effect also has second derivatives: weights (x, y, ½x², xy, ½y²).
 struct EffectColumns {
   const Effect* effect;
   std::size_t first, count;
@@ -20,8 +20,8 @@ struct EffectColumns {
   const OwnEntry* own = nullptr;  ///< an effect of the user's own
 };
 
-/// The columns that sessions have in common: of the catalogue's effects, of the user's own effects that
-/// several of them have, then of the patterns (`session_patterns.h`). A weight of 1 is a plausible size.
+/// The columns that sessions have in common: of the catalogue's effects, of user's own effects that several
+/// sessions have, then of the patterns (`session_patterns.h`). A weight of 1 is a plausible size.
 class SharedColumns {
  public:
   /// `own` has the user's effects of each session; null: none. Effects with equal id, formula and plausible
@@ -38,8 +38,8 @@ class SharedColumns {
   const EffectColumns* of(std::string_view id, const OwnEffects* own) const;
 
   /// Returns the index of the product of two columns in `SessionEvidence::normal`. Each column has products
-  /// with the effects' columns up to itself; a pattern's column then has those with its own pattern.
-  /// Products of two different patterns are not stored.
+  /// with the effects' columns up to itself. A pattern's column also has products with the columns of its own
+  /// pattern up to itself. Products of two different patterns are not stored.
   std::size_t productAt(std::size_t a, std::size_t b) const;
 
  private:

@@ -27,7 +27,7 @@ Measurement after(const PossibleSighting& chosen, const Measurement& measurement
                                           sighting.round == next.round && sighting.face == next.face;
                                  });
   taken.elapsed = 1;
-  if (!next.turnsAxis) {  // `possible` refers directions to the first zero, `measurement` to that of the arc
+  if (!next.turnsAxis) {  // `possible` refers directions to the first zero, `measurement` to the arc's zero
     const ArcMeasurement& own = measurement.arcs[index];
     taken.a = taken.a - wrapped(own.zeroHorizontal - arc.zeroHorizontal);
     taken.e = taken.e - (own.zeroElevation - arc.zeroElevation);
@@ -85,7 +85,7 @@ class Path {
     goOnTo(other.sightings.size());
   }
 
-  /// Returns U with each effect whose known size would reduce it by a tenth or more.
+  /// Returns U for each effect whose known size reduces U by a tenth or more.
   std::vector<AttainableUncertainty> withKnownEffects() const {
     PossibleSightings possible;
     const SightingEquations equations = sightingEquations(m_measurement, m_plan, possible, true);
@@ -120,7 +120,7 @@ class Path {
   }
 };
 
-/// Orders plans: first those that reach the uncertainty, by their minutes; then the others, by their U.
+/// First the plans that reach the uncertainty, by their minutes; then all other plans, by their U.
 bool isBetter(const SightingsAhead& one, const SightingsAhead& other) {
   if (one.isReached != other.isReached) return one.isReached;
   if (one.isReached) return one.minutes < other.minutes;

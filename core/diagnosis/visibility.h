@@ -10,8 +10,8 @@
 
 namespace alidade {
 
-// The visibility of an effect in noise-free readings that contain it, and its look-alikes. Size and sign of
-// the effect are exact, not taken from a linear model.
+// The visibility of an effect in noise-free readings that contain it, and its look-alikes. The readings
+// contain the effect in its exact size and sign, without linearisation.
 
 struct Visibility {
   double sigma = 0;  ///< length of the trace: √χ² of the leftover, stated σ
@@ -20,9 +20,9 @@ struct Visibility {
   double nearest = 0;  ///< smallest distance to the trace of any other effect, look-alike or not, σ
 };
 
-/// The trace includes the closures between both positions, if present. `noiseless` contains the effect `held`
-/// only. Look-alikes are other catalogue effects, and a jump between a zero and the first visit. Fails if no
-/// arc can be fitted.
+/// The trace includes the closures between both positions, if the session has both. `noiseless` contains the
+/// effect `held` only. Look-alikes are other catalogue effects, and a jump between a zero and the first
+/// visit. Fails if no arc can be fitted.
 Result<Visibility, NoModel> visibilityOf(const Measurement& noiseless, const std::string& held);
 /// Uses the residuals of the session's own model only.
 Result<Visibility, NoModel> visibilityInResiduals(const Measurement& noiseless, const std::string& held);

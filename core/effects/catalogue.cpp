@@ -227,7 +227,7 @@ constexpr std::vector<Effect> makeCatalogue() {
   };
 }
 
-/// Each error term except those of a jump and the user's own belongs to exactly one effect.
+/// Each error term belongs to exactly one effect, except the terms of a jump and the user's own terms.
 constexpr bool sharesOutTheTerms(const std::vector<Effect>& effects) {
   std::array<int, errorTermCount> times{};
   for (const Effect& effect : effects)

@@ -9,7 +9,7 @@ namespace alidade {
 struct Measurement;
 
 // Ids of the causes without an error term in the catalogue, and of the one effect that is either present or
-// absent. Used in truth files and in results, like the ids of the catalogue.
+// absent. Truth files and results contain them, like the ids of the catalogue.
 
 inline constexpr const char* jumpId = "orientation_jump";
 inline constexpr const char* grossErrorId = "gross_error";

@@ -28,25 +28,25 @@ namespace alidade {
 //   sin e = (u + sin c sin i)/(cos c cos i)
 //   a = atan2(r, f) ± atan2(sin c cos i + cos c sin e sin i, cos c cos e)
 //
-// with + in face 1, (r, u, f) of unit length. In face 1 the circles read α0 + a and 90° − e (e on an
-// elevation circle), in face 2 α0 + a + 180° and 270° + e (180° − e), each with its eccentricity. The
-// pointing zero may be inclined against the horizon: zero_line.h. Source: the geometry of the instrument; to
-// first order the formulas of any textbook (δα = ±c/cos e, ±i tan e).
+// with + in face 1 and (r, u, f) of unit length. In face 1 the circles read α0 + a and 90° − e (e on an
+// elevation circle); in face 2 they read α0 + a + 180° and 270° + e (180° − e). Each circle has its
+// eccentricity. The pointing zero may be inclined against the horizon: zero_line.h. Source: the geometry of
+// the instrument; to first order the formulas of any textbook (δα = ±c/cos e, ±i tan e).
 
 /// The arc of one position and the orientation of its readings.
 template <typename T>
 struct ArcPose {
   T x, y, radius;    ///< mm
   T horizontalZero;  ///< error of α0 as read, rad: decreases readings
-  T verticalZero;    ///< error of β0 as read, up positive: increases e
+  T verticalZero;    ///< error of β0 as read, positive upwards: increases e
   T sliderZero;      ///< slider reading at s = 0, rad
 };
 
-/// The given properties of one pointing: all except the unknowns of the fit.
+/// The properties of one pointing, except the unknowns of the fit.
 struct Pointing {
   int face = 1;
-  double elapsed = 0;         ///< elapsed share of the session when it was taken, 0…1
-  double jumpShare = 0;       ///< share of the orientation jump: 0 before, 1 after; fractional for a mean
+  double elapsed = 0;         ///< elapsed share of the session at the pointing, 0…1
+  double jumpShare = 0;       ///< 0 before the jump, 1 after it; fractional for a mean of sightings
   bool isSetUpAgain = false;  ///< the slider, not a zero, is sighted in a position after the first
   double horizontalZero = 0;  ///< α0 as read, rad: the circle position that determines the eccentricity error
   VerticalCircle circle = VerticalCircle::Zenith;
@@ -92,8 +92,8 @@ SpacePoint<T> targetAt(const ErrorTerms<T>& errors, const ArcPose<T>& arc, const
   const double turned = (1 - turn) / 2;
   const T radius = arc.radius + turned * errors[RadiusChange] + errors[EllipticityCosine] * cos2 +
                    errors[EllipticitySine] * sin2 + errors[LobingCosine] * cos3 + errors[LobingSine] * sin3;
-  // x, y: the place in the guideway's plane; `off`: the offset from it, which turns with the guideway. The
-  // tilts rotate both about the arc centre, and are the same in o0 in both positions.
+  // x, y: the place in the guideway's plane; `off`: the offset from this plane, which turns with the
+  // guideway. The tilts rotate x, y and `off` about the arc centre, and are the same in o0 in both positions.
   const T x = radius * cos(phi), y = radius * sin(phi);
   const T off =
       turn * (errors[WarpCosine] * cos2 + errors[WarpSine] * sin2 + errors[PlaneSkew] * arc.radius * cos(s));
@@ -120,8 +120,8 @@ void addOwn(const ErrorTerms<T>& errors, const OwnPlace& own, T& a, T& e) {
   }
 }
 
-/// The direction to `target` as read on the circles in `pointing`'s face, as its face 1 equivalent before the
-/// zero is subtracted: azimuth a from the perpendicular of the arc plane and elevation e over the horizon,
+/// The direction to `target` as read on the circles in `pointing`'s face, reduced to face 1, before the zero
+/// is subtracted. a is the azimuth from the perpendicular of the arc plane, e the elevation over the horizon,
 /// rad.
 template <typename T>
 Direction<T> circleDirection(const ErrorTerms<T>& errors, SpacePoint<T> target, const Pointing& pointing) {

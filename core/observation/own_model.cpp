@@ -11,8 +11,8 @@ namespace alidade {
 
 namespace {
 
-/// The derivative. For a smooth function it is the mean of both differences; near a jump, the difference on
-/// the side away from it.
+/// Returns the derivative: for a smooth function the mean of both differences; near a jump, the difference on
+/// the side without the jump.
 double slope(double before, double here, double after, double step) {
   const double back = (here - before) / step, on = (after - here) / step;
   if (!std::isfinite(back) || !std::isfinite(on)) return 0;

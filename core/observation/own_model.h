@@ -33,17 +33,17 @@ struct OwnShare {
   FormCarrier carrier;
   double value = 0;         ///< mm or rad per unit
   double byArcAngle = 0;    ///< its derivative by φ
-  double byA = 0, byE = 0;  ///< by the directions
+  double byA = 0, byE = 0;  ///< its derivatives by a and e
 };
 
-/// Evaluates the user's own effects. Not thread-safe: each problem creates its own. Values that are not
+/// Evaluates the user's own effects. Not thread-safe: each thread needs its own object. Values that are not
 /// finite count as 0.
 class OwnModel {
  public:
   /// `effects` may be null: there are none.
   explicit OwnModel(std::shared_ptr<const OwnEffects> effects);
 
-  /// The displacements of the target or the slider reading at φ, from circle readings without errors.
+  /// The displacements of the target or the slider reading at φ, for circle readings without errors.
   std::span<const OwnShare> ofGuideway(const OwnPlace& place, const PlanePoint<double>& centre, double radius,
                                        double distance, double phi, int axisDeg) const;
   /// The displacements of circle readings. `a`, `e`: face 1 equivalents without these effects, rad.

@@ -14,10 +14,10 @@ namespace alidade {
 //   e = atan2(y, √(x² + L²)) up positive
 //
 // The published method uses tan e = y/L instead (`Planar`). Both maps are one-to-one between the plane and
-// the open quadrants |a|, |e| < 90°. Templated on the scalar, so that derivatives come from automatic
-// differentiation. Source of the exact relation: the geometry of a theodolite with perpendicular axes; of the
-// planar one: equation (3) of Cui, Ren, Yuan, Liu, "Intersection Measurement for Rotatable Arc Guideway
-// System".
+// the open quadrants |a|, |e| < 90°. The scalar type is a template parameter: derivatives come from automatic
+// differentiation. Source of the exact relation: the geometry of a theodolite with perpendicular axes. Source
+// of the planar relation: equation (3) of Cui, Ren, Yuan, Liu, "Intersection Measurement for Rotatable Arc
+// Guideway System".
 
 /// Reduced readings in radians.
 template <typename T>

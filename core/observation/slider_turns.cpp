@@ -19,7 +19,7 @@ struct SliderPlace {
 
 /// The arc begins after the widest gap between readings. Returns the first reading after the gap, rad: from
 /// this reading on, a full turn is subtracted. Infinite if the arc begins at the smallest reading. A gap
-/// below 45° is ignored, as it may lie between two places.
+/// below 45° is ignored, as it may lie between two visits.
 double turnoverOf(std::vector<SliderPlace>& places) {
   constexpr double smallest = std::numbers::pi / 4;
   std::ranges::sort(places, {}, &SliderPlace::reading);

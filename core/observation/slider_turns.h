@@ -7,9 +7,9 @@
 namespace alidade {
 
 /// Unwraps arc angles, rad, by whole turns so that s follows the slider's readings continuously: the effect
-/// of a scale error is proportional to s. `sliders`: for each angle the row with its slider reading; an angle
-/// whose row is null stays. All angles stay if they span less than half a turn. s is centred near 90°, with
-/// its mean in [−90°, 270°). The widest gap shows which readings are beyond the scale's own 0°.
+/// of a scale error is proportional to s. `sliders`: for each angle the row with its slider reading. An angle
+/// with a null row is unchanged; all are unchanged if they span less than half a turn. s is centred near 90°,
+/// with its mean in [−90°, 270°). The widest gap shows which readings are beyond the scale's own 0°.
 void unwrapAlongSlider(std::span<double> arcAngles, std::span<const Sighting* const> sliders, int axisDeg);
 
 }  // namespace alidade

@@ -23,7 +23,7 @@ bool goesOneWay(const std::vector<Sighting>& sightings) {
   return true;
 }
 
-/// Indices of the rows by round and point, those of a visit in the order taken.
+/// Indices of the rows, sorted by round and point; the rows of a visit are in ascending order.
 std::vector<std::size_t> byRoundAndPoint(const std::vector<Sighting>& sightings) {
   struct Row {
     int round, point;

@@ -18,7 +18,7 @@ struct VisitMean {
 /// The rows of one visit (same round and point): the slider was at rest, so they share one arc angle.
 struct Visit {
   int round = 1, point = 0;
-  /// Indices into the arc's sightings, in the order taken: one for each face.
+  /// Indices into the arc's sightings, ascending: one for each face.
   boost::container::static_vector<std::size_t, 2> sightings;
   VisitMean mean;
 };
@@ -29,7 +29,7 @@ std::vector<Visit> visitsOf(const ArcMeasurement& arc);
 /// Is the slider read anywhere on the arc?
 bool hasSliderReadings(const ArcMeasurement& arc);
 
-/// The row whose slider value counts: the first of the visit that has one; null if there is none.
+/// The row whose slider value counts: the first row of the visit with a slider value; null if there is none.
 const Sighting* sliderOf(const ArcMeasurement& arc, const Visit& visit);
 
 }  // namespace alidade

@@ -7,15 +7,15 @@ namespace alidade {
 
 // The situation: the vertical circle counts from the plumb line, while reduced readings and the arc's centre
 // count from the pointing zero. The zero is inclined by its elevation e0 unless the instrument is at the
-// height of the axis. With L the distance of the arc plane along the zero's azimuth (a vertical plane) or
-// along the zero itself (a square one), a point (x, y, z) relative to the zero line is in space at
+// height of the axis. L is the distance of the arc plane along the zero's azimuth (vertical plane) or along
+// the zero itself (square plane). A point (x, y, z) relative to the zero line is in space at
 //
 //   vertical (x, y + L tan e0, z)
 //   square (x, y cos e0 − z sin e0, y sin e0 + z cos e0)
 //
-// and is sighted at the elevation e0 + e, where e is reduced. At e0 = 0 both are the point itself. Using the
-// elevation in place of e causes an error of e0 x²/(2 L²) to first order. Source: rotation about the trunnion
-// axis.
+// and is sighted at the elevation e0 + e, where e is reduced. At e0 = 0 both formulas give the point itself.
+// The elevation in place of e causes an error of e0 x²/(2 L²) to first order. Source: rotation about the
+// trunnion axis.
 
 /// A point or vector, mm in o0.
 template <typename T>

@@ -5,10 +5,10 @@
 
 namespace alidade {
 
-/// The displaced quantity of a form or a formula. `Radial`, `Tangential`, `Across`: the target, mm, turning
-/// with the guideway. `X`, `Y`, `Z`: the target, mm in o0. `Horizontal`, `Vertical`: the reading of one
-/// circle in face 1, arcseconds; `Vertical` as an elevation, up positive. `Orientation`: both circles.
-/// `Slider`: the slider reading, arcseconds.
+/// The displaced quantity of a form or a formula. `Radial`, `Tangential`, `Across`: the target, mm, in
+/// directions that turn with the guideway. `X`, `Y`, `Z`: the target, mm in o0. `Horizontal`, `Vertical`: the
+/// reading of one circle in face 1, arcseconds; `Vertical` as an elevation, positive upwards. `Orientation`:
+/// both circles. `Slider`: the slider reading, arcseconds.
 enum class FormCarrier { Radial, Tangential, Across, X, Y, Z, Horizontal, Vertical, Orientation, Slider };
 
 std::string_view nameOf(FormCarrier carrier);

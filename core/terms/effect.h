@@ -15,7 +15,7 @@ struct ParameterTraits {
   int radialOrder = 0, acrossOrder = 0;
   /// Turns a circle away from its pointing zero, as a second sighting of the zero shows.
   bool turnsHorizontalZero = false, turnsVerticalZero = false;
-  bool changesDistance = false;  ///< by opposite amounts in the two positions
+  bool changesDistance = false;  ///< changes the distance, by opposite amounts in the two positions
 };
 
 /// One parameter of an effect.

@@ -7,10 +7,10 @@ namespace alidade {
 /// The largest number of amplitudes that the user's own effects may have together in one session.
 inline constexpr std::size_t mostOwnTerms = 6;
 
-/// The errors of instrument and guideway: parameters of the forward model that are zero for perfect ones.
-/// Angles in radians, lengths in mm. `s` is the slider coordinate, α and β are circle readings of face 1.
+/// The errors of instrument and guideway: parameters of the forward model, zero without errors. Angles are in
+/// radians, lengths in mm. `s` is the slider coordinate, α and β are circle readings of face 1.
 enum class ErrorTerm : std::size_t {
-  VerticalAngleRelation,  ///< 0: the session's own relation between y and e; 1: the other one (exact ↔
+  VerticalAngleRelation,  ///< 0: the session's own relation between y and e; 1: the other relation (exact ↔
                           ///< planar)
   Collimation,        ///< c: line of sight against the perpendicular of the trunnion axis; δα = ±c/cos e
   TrunnionTilt,       ///< i: trunnion axis against the perpendicular of the vertical axis; δα = ±i tan e
@@ -26,30 +26,30 @@ enum class ErrorTerm : std::size_t {
   VerticalRefraction,        ///< k: e is read too large by k (e/10°)²
   HorizontalDrift,           ///< rotation of the orientation from the first reading of the session to the
                              ///< last
-  VerticalDrift,             ///< the same for the vertical circle; zenith readings grow with positive drift
+  VerticalDrift,             ///< as `HorizontalDrift`, vertical: zenith readings grow with positive drift
   HorizontalJump,            ///< change of the orientation at the jump
   VerticalJump,
-  SetupShiftX,        ///< of the target relative to the instrument, +x, in every position after the first
-  SetupShiftY,        ///< +y
-  PlaneTiltX,         ///< the arc plane turned about +x through the arc centre
-  PlaneTiltY,         ///< about +y
+  SetupShiftX,        ///< shift of the target relative to the instrument, +x, in positions after the first
+  SetupShiftY,        ///< shift of the target relative to the instrument, +y, in positions after the first
+  PlaneTiltX,         ///< rotation of the arc plane about +x through the arc centre
+  PlaneTiltY,         ///< rotation of the arc plane about +y through the arc centre
   PlaneOffset,        ///< the arc plane's distance from the rotation axis: nearer at 0°, farther at 180°
-  PlaneSkew,          ///< tilt ε of the arc plane, turning with the guideway: off the plane by ε R cos s
-  AxialShift,         ///< of the guideway along its axis, +x, from position 0° to 180°
-  RadiusChange,       ///< of the radius from position 0° to 180°
+  PlaneSkew,          ///< tilt ε of the arc plane, fixed to the guideway: target off the plane by ε R cos s
+  AxialShift,         ///< shift of the guideway along its axis, +x, from position 0° to 180°
+  RadiusChange,       ///< change of the radius from position 0° to 180°
   EllipticityCosine,  ///< radius + A cos 2s + B sin 2s: A
   EllipticitySine,    ///< B
   LobingCosine,       ///< radius + A cos 3s + B sin 3s: A
   LobingSine,         ///< B
-  GravitySag,         ///< y − g sin s, downwards in either position of the guideway
-  ArmSag,       ///< along the arc by −g cos φ, which lowers the target in either position of the guideway
-  WarpCosine,   ///< target off the plane by A cos 2s + B sin 2s, turning with the guideway: A
-  WarpSine,     ///< B
-  SliderScale,  ///< slider reading = s (1 + k) + …
-  SliderSine,   ///< … + A sin s
+  GravitySag,         ///< lowers the target by g sin s in either position of the guideway
+  ArmSag,             ///< moves the target along the arc by −g cos φ: downwards in either position
+  WarpCosine,         ///< target off the plane by A cos 2s + B sin 2s, turning with the guideway: A
+  WarpSine,           ///< B
+  SliderScale,        ///< slider reading = s (1 + k) + …
+  SliderSine,         ///< … + A sin s
   OwnGuideway,  ///< the first of `mostOwnTerms` amplitudes of the user's own effects that move the target or
                 ///< the slider reading
-  OwnInstrument = OwnGuideway + mostOwnTerms,  ///< the first of as many that act on the circles
+  OwnInstrument = OwnGuideway + mostOwnTerms,  ///< the first of `mostOwnTerms` amplitudes on the circles
   Count = OwnInstrument + mostOwnTerms,
 };
 
@@ -57,7 +57,7 @@ inline constexpr std::size_t errorTermCount = static_cast<std::size_t>(ErrorTerm
 
 /// The first term of the guideway.
 inline constexpr auto firstGuidewayTerm = static_cast<std::size_t>(ErrorTerm::PlaneTiltX);
-/// The first term of the user's own effects. No effect of the catalogue has it or any later term.
+/// The first term of the user's own effects. No effect of the catalogue has this or a later term.
 inline constexpr auto firstOwnTerm = static_cast<std::size_t>(ErrorTerm::OwnGuideway);
 inline constexpr auto firstOwnInstrumentTerm = static_cast<std::size_t>(ErrorTerm::OwnInstrument);
 

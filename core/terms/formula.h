@@ -17,11 +17,11 @@ namespace alidade {
 //
 //   radial = A*bump(s, 83°, w); w = 4°
 //
-// Lines end with a semicolon or a line break. A line is `carrier = expression` or `name = number`; the latter
+// Lines end with a semicolon or a line break. A line is `carrier = expression`, or `name = number`, which
 // gives a number a name. Names that are neither variables nor names of numbers are amplitudes: the
-// expressions are linear in them, which is checked. Angles are radians inside; a number with ° or deg counts
-// degrees. Formulas come from files of strangers: their length is bounded, there are no loops, strings or
-// assignments, and the parser (muParser) sees only what was checked here before.
+// expressions are linear in them, which is checked. Angles are in radians; a number with ° or deg counts
+// degrees. Formulas may come from unknown people: their length is limited, they have no loops, strings or
+// assignments, and the parser (muParser) sees only text that was checked before.
 
 /// "mm" or "arcsec".
 std::string_view unitOf(FormCarrier carrier);
@@ -31,9 +31,9 @@ struct FormulaArguments {
   double s = 0;                 ///< slider coordinate; 0 for a pointing zero
   double t = 0;                 ///< elapsed share of the session, 0…1
   double a = 0, e = 0;          ///< azimuth from the pointing zero, elevation over the horizon, in face 1
-  double horizontalCircle = 0;  ///< as read in the given face, like the vertical circle
+  double horizontalCircle = 0;  ///< as read in `face`, like `verticalCircle`
   double verticalCircle = 0;
-  double leg = 1;       ///< 1 in odd rounds, −1 in even ones
+  double leg = 1;       ///< 1 in odd rounds, −1 in even rounds
   double round = 1;     ///< from 1
   double face = 1;      ///< 1 in face 1, −1 in face 2
   double position = 1;  ///< 1 at axis 0°, −1 at 180°
@@ -76,7 +76,7 @@ inline constexpr std::size_t longestFormula = 500;  ///< bytes
 /// Parses and checks a formula, in about 0.2 ms.
 Result<Formula, FormulaFault> parseFormula(std::string_view text);
 
-/// Evaluates the lines of a formula. Not for several threads at once.
+/// Evaluates the lines of a formula. Not thread-safe.
 class FormulaEvaluator {
  public:
   explicit FormulaEvaluator(const Formula& formula);

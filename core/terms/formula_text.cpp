@@ -100,7 +100,7 @@ class ExpressionReader {
                               quotation(rest().substr(0, length))));
   }
 
-  /// Call before a number, name or parenthesis. False, with a fault, if an operator is missing before it.
+  /// Must be called before a number, name or parenthesis. False, with a fault, if an operator is missing.
   bool beginOperand(std::size_t length) {
     if (m_wantsOperand) return true;
     refuse(length, Phrase::of("An operator such as * is missing before %1.",

@@ -66,8 +66,8 @@ struct FormulaStatement {
 /// The lines of the text that are not blank.
 Result<std::vector<FormulaStatement>, FormulaFault> formulaStatements(std::string_view text);
 
-/// An expression for the parser: every character was checked, degrees are converted to radians, and fixed
-/// names are replaced by their numbers.
+/// An expression for the parser: every character was checked, degrees are converted to radians, and names of
+/// numbers are replaced by their values.
 struct PlainExpression {
   std::string text;
   std::vector<FormulaName> variables, amplitudes;  ///< each occurrence

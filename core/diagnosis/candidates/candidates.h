@@ -24,7 +24,7 @@ struct PriorOdds {
 
 /// States how many components of one kind the search may add to a set.
 struct Offer {
-  std::size_t offered = 0;  ///< number of components offered, those of largest gain; 0: all
+  std::size_t offered = 0;  ///< number of components of largest gain that are offered; 0: all
   bool oneAtMost = false;   ///< a set holds at most one component of the kinds with this flag
 };
 
@@ -61,11 +61,11 @@ class Candidates {
   void fillProducts(const SharedProducts& with, Eigen::Ref<Eigen::VectorXd> all) const;
 
  private:
-  /// Stores components by value: the many small ones need few bytes and no virtual call each.
+  /// Components of one kind, stored by value: one virtual call fills the inner products of all of them.
   struct Block {
     virtual ~Block() = default;
     virtual const Component& operator[](std::size_t i) const = 0;
-    /// Fills the first entries of `rest`. Returns how many they are.
+    /// Fills the first entries of `rest`, one for each visible column of the block. Returns their number.
     virtual Eigen::Index fillProducts(const SharedProducts& with, Eigen::Ref<Eigen::VectorXd> rest) const = 0;
   };
   template <typename Kind>

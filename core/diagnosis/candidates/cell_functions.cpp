@@ -10,7 +10,7 @@ using Eigen::Index, Eigen::MatrixXd, Eigen::VectorXd;
 
 namespace {
 
-constexpr Index pieceLength = 4096;  // cells; the values of a few functions on them fit into the cache
+constexpr Index pieceLength = 4096;  // cells at a time: the values of a few functions then fit into the cache
 
 std::vector<Index> everyOf(Index count) {
   std::vector<Index> numbers(static_cast<std::size_t>(count));

@@ -20,7 +20,7 @@ class CellFunctions {
     return m_groups ? static_cast<Eigen::Index>(m_groups->size()) : m_all->rows();
   }
   Eigen::Index count() const { return static_cast<Eigen::Index>(m_chosen.size()); }
-  /// Returns the selected functions.
+  /// Returns a copy that has only the functions with these indices.
   CellFunctions chosen(const std::vector<Eigen::Index>& functions) const;
   void scale(double factor) { m_factor *= factor; }
 
@@ -30,7 +30,7 @@ class CellFunctions {
   Eigen::MatrixXd dense() const { return piece(0, cells()); }
   /// Returns the inner product of each function with a vector over the cells.
   Eigen::VectorXd products(const Eigen::VectorXd& overCells) const;
-  /// Returns the sum of the functions with these weights, over the cells.
+  /// Returns the weighted sum of the functions, one value for each cell.
   Eigen::VectorXd times(const Eigen::VectorXd& weights) const;
 
  private:

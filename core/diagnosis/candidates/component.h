@@ -16,7 +16,7 @@ namespace alidade {
 
 /// The weights of a component in the linear model: `fixed` + `slope` × the estimated parameters.
 struct LinearPart {
-  bool isPlain = true;  ///< `fixed` = 0, `slope` = 1
+  bool isPlain = true;  ///< whether `fixed` = 0 and `slope` = 1
   Eigen::VectorXd fixed = {};
   Eigen::MatrixXd slope = {};
 };
@@ -25,7 +25,7 @@ struct LinearPart {
 /// the cause. The prior of the weights is normal with mean 0 and an uncertain width. The columns are not
 /// stored: they are computed from the leftover where the inner products do not suffice.
 ///
-/// Every parameter `leftover` is the one that the component was made from.
+/// Every parameter `leftover` must be the leftover from which the component was made.
 class Component {
  public:
   virtual ~Component() = default;
@@ -45,20 +45,20 @@ class Component {
   virtual bool isKnown() const { return false; }
   /// Prior σ of each weight, in plausible sizes.
   virtual Eigen::VectorXd usualSizes() const { return Eigen::VectorXd::Ones(weights()); }
-  /// Whether this is a jump of the orientation. An explanation contains at most one.
+  /// Whether this is a jump of the orientation. An explanation contains at most one jump.
   virtual bool isJump() const { return false; }
-  /// Index of the arc that moves as a whole if the jump lies between its zero and its first visit.
+  /// For a jump between the zero and the first visit of an arc: index of the arc, which moves as a whole.
   virtual std::optional<std::size_t> wrongZeroArc() const { return std::nullopt; }
-  /// Whether this is a jump of either kind. A jump has a moment, which the terms of a model lack.
+  /// Whether this is a jump. A jump has a moment, unlike the terms of a model.
   bool stepsOrientation() const { return isJump() || wrongZeroArc().has_value(); }
-  /// The rows on which a jump acts.
+  /// The rows on which a jump acts. Absent for other components.
   virtual std::optional<JumpMoment> jumpMoment() const { return std::nullopt; }
   /// Whether this is a pattern without a named cause.
   virtual bool isShape() const { return false; }
   /// Index of the reading with a gross error among the leftover's readings. Absent for other components.
   virtual std::optional<Eigen::Index> grossErrorAt() const { return std::nullopt; }
-  /// Order (`Sighting::order`) of the only row that would show the jump. A gross error of that row leaves the
-  /// same trace and is more frequent.
+  /// Order (`Sighting::order`) of the row, for a jump that only one row shows. A gross error of this row
+  /// leaves the same trace and is more frequent.
   virtual std::optional<std::size_t> onlyRow() const { return std::nullopt; }
 
   /// Gram matrix of the visible columns. For a bent component the visible second derivatives follow the
@@ -69,7 +69,7 @@ class Component {
   virtual Eigen::Index weights() const { return columns(); }
   /// Columns over all readings, before projection, without the second derivatives.
   virtual Eigen::MatrixXd wholeColumns(const Leftover& leftover) const = 0;
-  /// Visible parts of the columns; those of the second derivatives follow.
+  /// Visible parts of the columns, followed by the visible second derivatives.
   virtual Eigen::MatrixXd visibleColumns(const Leftover& leftover) const;
   /// Fills `own` (`columns()` long) with the inner products of the visible columns with a visible vector.
   virtual void fillProducts(const SharedProducts& with, Eigen::Ref<Eigen::VectorXd> own) const;
@@ -84,12 +84,12 @@ class Component {
   virtual double signatureLength(const Eigen::VectorXd& weights) const;
   double signatureSquare(const Eigen::VectorXd& weights) const;
 
-  /// Gain in evidence from the component. `columns` are its own columns, rotated unless it is bent.
+  /// Gain in evidence from the component. `columns` are its own, rotated unless the component is bent.
   virtual Gain gain(const TurnedColumns& columns, double variance) const;
   LinearPart linearPart(const TurnedColumns& columns, double variance) const;
 
   /// Prior width for a fit with the component, in plausible sizes. `weights` were found with the most likely
-  /// `width`. Weights beyond the plausible size must not count as a misfit of the readings.
+  /// `width`. The result covers the weights, since a prior that is too narrow increases χ².
   virtual double widthOfFit(double width, const Eigen::VectorXd& weights) const;
 
   /// Adds the terms of the component to a model. `weights` are the start values; `width` is the prior width;

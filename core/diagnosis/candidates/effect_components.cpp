@@ -95,7 +95,7 @@ std::vector<CauseParameter> EffectComponent::parameters(const GapModel& after) c
 
 namespace {
 
-/// Adds the components of effects with `count` columns in all, which are projected together.
+/// Adds the components of `effects`. Their columns, `count` in all, are projected together.
 void addComponents(const Leftover& leftover, std::span<const Effect* const> effects, Index count,
                    std::vector<EffectComponent>& components) {
   MatrixXd columns(leftover.readings(), count);
@@ -122,8 +122,7 @@ std::vector<EffectComponent> effectComponents(const Leftover& leftover,
     return !effect->isSought || std::ranges::find(leftOut, effect->id) != leftOut.end();
   });
   std::vector<EffectComponent> components;
-  constexpr Index mostNumbers = 4'000'000;  // numbers at a time: all columns of a large session would fill
-                                            // the memory
+  constexpr Index mostNumbers = 4'000'000;  // at a time: all columns of a large session fill the memory
   const Index most = mostNumbers / std::max(leftover.readings(), Index{1});
   for (auto next = effects.begin(); next != effects.end();) {
     const auto first = next;

@@ -13,10 +13,10 @@ class EffectComponent final : public Component {
  public:
   /// `gram` is the Gram matrix of the visible columns.
   EffectComponent(const Effect& effect, Eigen::MatrixXd gram);
-  /// Adds the visible second derivatives, columns 11, 12, 22.
+  /// Makes the effect bent by its visible second derivatives, in columns 11, 12 and 22.
   void bend(const Leftover& leftover, Eigen::MatrixXd secondDerivatives);
 
-  /// `sigmas` are the known standard uncertainties of the numbers, in plausible sizes.
+  /// `sigmas` are the known standard uncertainties of the parameters, in plausible sizes.
   void setKnown(Eigen::VectorXd sigmas) { m_known = std::move(sigmas); }
 
   const Effect& effect() const { return *m_effect; }
@@ -52,12 +52,12 @@ class EffectComponent final : public Component {
 /// Prior widths for effects from much smaller to much larger than their plausible size.
 const std::vector<Width>& effectWidths();
 
-/// Returns the sought effects of catalogue and user except those in `leftOut`; bent ones count as linear.
+/// Returns the sought effects of catalogue and user except those in `leftOut`; bent effects count as linear.
 std::vector<EffectComponent> effectComponents(const Leftover& leftover,
                                               const std::vector<std::string>& leftOut,
                                               const Measurement& measurement = {});
-/// Returns the effects of catalogue and user except those in `leftOut`, with second derivatives if they are
-/// bent. Known sizes in the model are marked. `leftover` is that of the model.
+/// Returns the sought effects of catalogue and user except those in `leftOut`. Bent effects have their second
+/// derivatives; effects whose known size is in the model are marked. `leftover` belongs to `model`.
 std::vector<EffectComponent> effectsBeyond(const GapModel& model, const Leftover& leftover,
                                            const std::vector<std::string>& leftOut);
 

@@ -50,7 +50,7 @@ void JumpComponent::fillProducts(const SharedProducts& with, Eigen::Ref<VectorXd
   own = ofAll.segment<2>(2 * static_cast<Index>(m_index));
 }
 
-/// The far wider width counts only if the usual ones detect a jump; they detect one of any size.
+/// The far wider width counts only if the usual widths detect a jump, which they do for a jump of any size.
 Gain JumpComponent::gain(const TurnedColumns& columns, double variance) const {
   constexpr double shows = 10;  // ln Bayes factor of a detected jump
   const Gain usual = Component::gain(columns, variance);
@@ -155,8 +155,8 @@ std::set<std::size_t> rowsAloneInTheirVisit(const Leftover& leftover) {
   return rows;
 }
 
-/// Finds the row, alone in its visit, that a jump separates from all rows that could confirm it. Only one
-/// condition, between the two circles of that row, shows such a jump.
+/// Finds the row that a jump separates from all rows that could confirm the jump. The row is the only one of
+/// its visit: only the condition between its two circles shows the jump.
 class ShownByOneRow {
  public:
   /// `arcs` must outlive this object.
@@ -192,7 +192,7 @@ std::vector<JumpComponent> componentsOf(const Leftover& leftover, std::vector<Ju
   return components;
 }
 
-/// Returns a selection of moments, evenly spaced, for long sessions.
+/// Returns all moments, or every n-th moment of a long session.
 std::vector<JumpMoment> someOf(const std::vector<JumpMoment>& moments) {
   constexpr std::size_t most = 400;
   const std::size_t stride = moments.size() / most + 1;

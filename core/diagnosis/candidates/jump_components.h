@@ -20,7 +20,6 @@ class JumpComponent final : public Component {
   JumpComponent(std::shared_ptr<const JumpColumns> columns, std::size_t index, Eigen::Matrix2d gram,
                 std::optional<std::size_t> onlyRow);
 
-  /// Orders (`Sighting::order`) of the first row after the jump and of the first row that it no longer moves.
   JumpMoment moment() const { return m_columns->moments()[m_index]; }
 
   std::string_view id() const override;
@@ -50,24 +49,24 @@ class JumpComponent final : public Component {
 };
 
 const std::vector<Width>& jumpWidths();
-/// Prior widths of a visible jump: the usual ones, and rarely 30 times the plausible size.
+/// Prior widths of a visible jump: the usual widths and, with probability 0.01, 30 plausible sizes.
 const std::vector<Width>& usualAndFarWiderJumpWidths();
 
-/// Returns the jumps before any row, or before the zero of a position after the first. In long sessions only
-/// every n-th row counts.
+/// Returns jumps before each row and, with a common zero mark, before the zero of each position after the
+/// first. In long sessions only every n-th of these moments is included.
 ///
 /// A jump may last to the end of the session. If the positions are compared (`Linearised::isClosed`), a jump
-/// in any position but the last may also end with its position, when the circle is set again on the mark.
-/// Jumps before the first row of a position then belong to `wrongZeros`.
+/// may also end with its position, when the circle is set on the mark again. Jumps before the first row of a
+/// position then belong to `wrongZeros`.
 ///
-/// Some jumps would show in a single row only, which is alone in its visit. A gross error of that row leaves
-/// the same trace and is more frequent, so these jumps serve for comparison only.
+/// A jump that shows in one row only, which is alone in its visit, serves for comparison only. A gross error
+/// of that row leaves the same trace and is more frequent.
 std::vector<JumpComponent> jumpComponents(const Leftover& leftover);
 
-/// Returns the jumps between the pointing zero of a position and its first visit. They end with the position
-/// or last to the end of the session. With a common zero mark, a jump may also act on the zero alone. A
-/// misread zero or a moved mark has the same trace. Empty unless the positions are compared: otherwise
-/// nothing would show these jumps.
+/// Returns the jumps between the pointing zero of a position and its first visit. They end with the position.
+/// With a common zero mark, a jump may also last to the end of the session or act on the zero alone. A
+/// misread zero or a moved mark has the same trace. Empty if the positions are not compared, because only
+/// their comparison shows these jumps.
 std::vector<JumpComponent> wrongZeros(const Leftover& leftover);
 
 }  // namespace alidade

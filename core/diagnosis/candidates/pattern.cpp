@@ -11,7 +11,7 @@ using Eigen::Index, Eigen::MatrixXd, Eigen::VectorXd;
 
 namespace {
 
-constexpr Index few = 4;  // with fewer columns, a blocked product costs more than a plain one
+constexpr Index few = 4;  // columns; up to this number, a blocked product costs more than a plain one
 
 /// Returns oneᵀ other.
 MatrixXd innerProducts(const MatrixXd& one, const MatrixXd& other) {
@@ -121,7 +121,7 @@ MatrixXd Carrier::visibleGramOfGroups(const Leftover& leftover, const std::vecto
   return visiblePart(std::move(gram), taken);
 }
 
-/// Works in pieces: a matrix of visits × groups would fill the memory.
+/// Works in pieces: a matrix of visits × groups can fill the memory.
 void Carrier::takeOffAlongVisits(const Leftover& leftover, MatrixXd& gram,
                                  const std::vector<Index>& groups) const {
   constexpr Index pieceLength = 4096;  // visits
@@ -181,7 +181,7 @@ MatrixXd Pattern::piece(Index firstCell, Index length) const {
 }
 
 /// Returns the Gram matrix without the arc angle of each visit and the span of the unknowns. Works in pieces:
-/// the functions of every cell would fill the memory.
+/// the functions of every cell can fill the memory.
 MatrixXd Pattern::visibleGram(const Leftover& leftover) const {
   constexpr Index pieceLength = 4096;  // cells
   const Index count = columns();

@@ -12,35 +12,35 @@
 namespace alidade {
 
 // Patterns that readings may follow. A pattern is a function of an argument, such as the visit or the time,
-// times a carrier. The carrier is the change of each reading by one unit, in σ. Readings with the same
-// function values form a cell; all sums run over cells.
+// times a carrier. The carrier is the change of each reading, in σ, by a function value of 1. Readings with
+// the same function values form a cell; all sums run over cells.
 
-/// The change of each reading by one unit, in σ, and the cells of the readings.
+/// The change of each reading, in σ, by a function value of 1, and the cells of the readings.
 class Carrier {
  public:
   /// `values` are stored in single precision: no pattern is known more precisely. Each cell lies within one
-  /// visit. Methods with a `leftover` need the one given here.
+  /// visit. Methods with a parameter `leftover` need the leftover of the constructor.
   Carrier(const Leftover& leftover, const Eigen::VectorXd& values, std::shared_ptr<const Cells> cells);
 
   Eigen::Index cells() const { return m_cells->count(); }
-  /// Number of readings that one unit changes.
+  /// Number of readings that a function value of 1 changes.
   Eigen::Index moved() const { return static_cast<Eigen::Index>(m_moved.size()); }
   /// Sum of the squared values of each cell.
   const Eigen::VectorXd& squares() const { return m_squares; }
-  /// The same sums without the part that the arc angles absorb. Empty unless every visit is one cell.
+  /// `squares()` without the part that the arc angles absorb. Empty unless every visit is one cell.
   Eigen::VectorXd squaresOutsideArcAngles(const Leftover& leftover) const;
   /// Sum over each cell of the values times a vector over the readings.
   Eigen::VectorXd gathered(const Eigen::VectorXd& overReadings) const;
-  /// Values times a number for each cell, over the readings.
+  /// Product of the values and one number for each cell, over the readings.
   Eigen::VectorXd spread(const Eigen::VectorXd& overCells) const;
-  /// Sums of functions over each visit, projected on its arc angle. `functions` (cells × functions) belong to
-  /// the cells from `first` on, which make up whole visits.
+  /// Inner products of functions with the derivative by the arc angle of each visit: visits × functions.
+  /// `functions` (cells × functions) belong to the cells from `first` on, which make up whole visits.
   Eigen::MatrixXd alongVisits(const Leftover& leftover, Eigen::Index first,
                               const Eigen::MatrixXd& functions) const;
   /// Inner products of functions of the cells from `first` on with the basis of the unknowns: unknowns ×
   /// functions.
   Eigen::MatrixXd taken(const Leftover& leftover, Eigen::Index first, const Eigen::MatrixXd& functions) const;
-  /// The last cell of the visit that contains a cell.
+  /// The last cell of the visit that contains `cell`.
   Eigen::Index lastOfVisit(const Leftover& leftover, Eigen::Index cell) const;
   /// Gram matrix of the visible parts of one function per group: 1 in the cells of the group, 0 elsewhere.
   /// `groups` gives the group of each cell, from 0 to `count` − 1; −1 means none.
@@ -55,7 +55,7 @@ class Carrier {
     float value;
   };
   std::shared_ptr<const Cells> m_cells;
-  std::vector<Moved> m_moved;  ///< in the order of the readings, and so of the cells
+  std::vector<Moved> m_moved;  ///< in the order of the readings, which is the order of the cells
   Eigen::VectorXd m_squares, m_along;
 
   Eigen::Index readings() const { return static_cast<Eigen::Index>(m_cells->ofReadings.size()); }

@@ -12,8 +12,8 @@ namespace {
 
 using Eigen::Index, Eigen::MatrixXd;
 
-/// The two sizes at a node, in plausible sizes, and the factors of its value in the differences 11, 12 and
-/// 22. To second order f(1, 0) − f(0, 0) = f′ + f″/2; `secondDerivatives` subtracts 2f′ from 11 and 22.
+/// A node: two parameters, in plausible sizes, and the factors of its value in the differences 11, 12 and 22.
+/// To second order f(1, 0) − f(0, 0) = f′ + f″/2; `secondDerivatives` subtracts 2f′ from 11 and 22.
 struct Node {
   double first, second;
   std::array<double, 3> times;

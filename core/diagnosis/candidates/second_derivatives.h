@@ -7,7 +7,7 @@
 
 namespace alidade {
 
-/// Returns the second derivatives of the readings by the two numbers of a bent effect at the model's fit,
+/// Returns the second derivatives of the readings by the two parameters of a bent effect at the model's fit,
 /// with constant arc angles. Columns 11, 12, 22; readings in the order of `leftover`; σ per plausible size
 /// squared. They are finite differences of the forward model over one plausible size.
 Eigen::MatrixXd secondDerivatives(const GapModel& model, const Leftover& leftover, const Effect& effect);

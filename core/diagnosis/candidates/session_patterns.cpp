@@ -14,12 +14,12 @@ using Eigen::Index, Eigen::MatrixXd, Eigen::VectorXd;
 
 namespace {
 
-/// The effect of one unit on each reading.
+/// The change of the readings by a weight of 1.
 enum class Along {
-  Radius,    ///< 0.05 mm
+  Radius,    ///< 0.05 mm of the radius
   Across,    ///< 0.2 mm across the plane, turning with the guideway
   Slider,    ///< 60″ of the slider readings
-  Distance,  ///< 1 mm, independent of the axis angle
+  Distance,  ///< 1 mm of the distance, equal at all axis angles
   Horizontal,
   Vertical,         ///< 5″ of the face-1 equivalents, like `Horizontal`
   Both,             ///< both circles, with separate weights
@@ -31,9 +31,9 @@ enum class Along {
 enum class Of { Guideway, Time, Azimuth, Elevation, Circle, Leg };
 enum class Course {
   Harmonic,  ///< cosine and sine of `Recipe::number` periods in a turn
-  Smooth,    ///< `Recipe::number` half waves; shorter ones have smaller amplitudes
+  Smooth,    ///< `Recipe::number` half waves; shorter waves have smaller amplitudes
   Settling,  ///< fast, medium and slow decay
-  WayBack,   ///< 1 in even rounds, 0 in odd ones
+  WayBack,   ///< 1 in even rounds, 0 in odd rounds
 };
 
 struct Recipe {
@@ -195,8 +195,8 @@ class Readings {
     return seconds * m_vertical.cwiseProduct(face);
   }
 
-  /// Returns cosine and sine of `number` periods of the circle reading, minus those of the pointing zero read
-  /// in face 1. In face 2 the vertical circle counts in the opposite direction.
+  /// Returns cosine and sine of `number` periods of the circle reading, minus cosine and sine of the pointing
+  /// zero in face 1. In face 2 the vertical circle counts in the opposite direction.
   MatrixXd circleFunctions(const Recipe& recipe) const {
     const bool isHorizontal = recipe.along == Along::HorizontalCircle,
                isZenith = m_measurement.verticalCircle == VerticalCircle::Zenith;

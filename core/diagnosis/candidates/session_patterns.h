@@ -12,11 +12,11 @@ namespace alidade {
 // session: guideway coordinate, circle readings, azimuth, elevation, fraction of the session's duration. The
 // patterns of a session's own search (`shape_components.h`) may use any property of that session.
 
-/// A pattern as an effect whose identifier names its argument. The effect has no parameters.
+/// A pattern in the form of an effect. The identifier names the argument; the effect has no parameters.
 struct SessionPattern {
   Effect effect;
   int order = 0;             ///< periods in a turn; 0 if the pattern is not harmonic
-  Eigen::Index columns = 1;  ///< number; a weight of 1 is 0.05 mm along the radius, 5″ of a circle, …
+  Eigen::Index columns = 1;  ///< number of columns; a weight of 1 is 0.05 mm of the radius, 5″ of a circle, …
 };
 const std::vector<SessionPattern>& sessionPatterns();
 

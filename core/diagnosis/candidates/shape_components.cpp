@@ -20,14 +20,14 @@ using Eigen::Index, Eigen::MatrixXd, Eigen::MatrixXf, Eigen::VectorXd;
 
 namespace {
 
-constexpr double invisible = 1e-5;  // σ over all readings; shorter columns are rounding errors
+constexpr double invisible = 1e-5;  // length in σ; shorter columns are rounding errors
 
 using SharedCarrier = std::shared_ptr<const Carrier>;
 using SharedCells = std::shared_ptr<const Cells>;
 
 /// Returns the adjusted directions of the sightings of each arc, rad. Observed directions are unsuitable: a
 /// function of a noisy direction follows the noise, and explains it if the noise is large compared with the
-/// span.
+/// range of directions.
 std::vector<std::vector<Direction<double>>> adjustedDirections(const Measurement& measurement,
                                                                const JointFit& fit) {
   std::vector<std::vector<Direction<double>>> directions;
@@ -81,10 +81,10 @@ class Surroundings {
   const Sighting& rowOf(Index reading) const { return arcOf(reading).sightings[at(reading).sighting]; }
   const LinearReading& at(Index reading) const { return m_leftover.reading(reading); }
 
-  /// Returns the effect of 1 unit on each reading.
+  /// Returns the carrier of `values`, the change of each reading by a function value of 1.
   SharedCarrier alongGuideway(const VectorXd& values) { return carrierOf(values, visits); }
   SharedCarrier ofInstrument(const VectorXd& values) { return carrierOf(values, rows); }
-  /// Returns the effect of 1 unit, with the opposite sign where `turned` returns true.
+  /// Returns the carrier of `values`, with the opposite sign where `turned` returns true.
   template <typename Turned>
   SharedCarrier ofInstrument(VectorXd values, const Turned& turned) {
     for (Index i = 0; i < values.size(); ++i)
@@ -127,9 +127,9 @@ MatrixXf smooth(const VectorXd& where, int count) {
   return values;
 }
 
-/// Returns the number of waves of a wandering orientation. With few rows the unknowns absorb the slow waves
-/// almost completely. With many rows the slow waves alone distinguish a wander from noise, so fewer suffice
-/// and the computing time stays the same.
+/// Returns the number of half waves for an orientation that changes with time. With few rows the unknowns
+/// absorb the slow waves almost completely. With many rows the slow waves alone distinguish the change from
+/// noise: fewer waves suffice, and the computing time stays the same.
 int wavesOf(Index rows) {
   constexpr Index fewest = 10, forRows = 136;
   if (rows < 2) return 0;
@@ -193,7 +193,7 @@ class ShapeMaker {
     add(id, Pattern{{{horizontal, functions}, {vertical, functions}}});
   }
 
-  /// Adds functions for each circle alone, and for both; each with its own identifier.
+  /// Adds three patterns of the same functions: in the horizontal circle, in the vertical circle, in both.
   void addOrientations(const std::array<std::string_view, 3>& ids, const SharedCarrier& horizontal,
                        const SharedCarrier& vertical, const CellFunctions& functions) {
     Pattern both{{{horizontal, functions}, {vertical, functions}}};
@@ -311,7 +311,7 @@ std::vector<ShapeComponent> shapeComponents(const Leftover& leftover, const Meas
                        settling(all.elapsed));
   std::vector<Index> slowest;
   for (Index wave = 0; wave < std::min<Index>(4, waves.count()); ++wave) slowest.push_back(wave);
-  // A change of distance has the same sign in both positions, a plane offset the opposite one.
+  // A change of distance has the same sign in both positions; a plane offset changes its sign.
   const auto isTurned = [&](Index i) { return all.arcOf(i).axisDeg != 0; };
   maker.add(PHRASE_LATER("Phrase", "distance with time"),
             all.ofInstrument(leftover.column(ErrorTerm::PlaneOffset), isTurned), waves.chosen(slowest));

@@ -35,8 +35,8 @@ class ShapeComponent final : public Component {
   Eigen::MatrixXd m_gram;
 };
 
-/// Returns smooth and periodic patterns along the guideway, with the circles, with time and between the
-/// positions. Patterns that a catalogue effect produces are excluded, unless that effect is left out.
+/// Returns smooth, periodic and stepwise patterns over the guideway, the circles and time. A pattern that an
+/// effect of the catalogue produces is excluded, unless `leftOut` contains the effect.
 std::vector<ShapeComponent> shapeComponents(const Leftover& leftover, const Measurement& measurement,
                                             const JointFit& fit, const std::vector<std::string>& leftOut);
 

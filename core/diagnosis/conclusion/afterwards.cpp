@@ -45,7 +45,7 @@ double movedBy(const GapModel& model, const Inquiry& inquiry, const Part& patter
   return moved;
 }
 
-/// Collects the alternatives to the answer.
+/// Averages Δd over the answer and its alternatives.
 class Average {
  public:
   Average(const Inquiry& inquiry, const Answer& answer, const IntersectionEstimate& own)
@@ -124,8 +124,8 @@ class Average {
 
 IntersectionEstimate averagedOver(const IntersectionEstimate& own, const std::vector<Possible>& all,
                                   double coverage) {
-  constexpr double hardly = 0.01;         // share of U
-  constexpr double leastVariance = 1e-6;  // share of the own variance, against rounding
+  constexpr double hardly = 0.01;         // share of U; a smaller change is ignored
+  constexpr double leastVariance = 1e-6;  // share of the own variance; a limit against rounding errors
   const double factor = own.expanded / own.sigma, wider = factor / normalQuantile((1 + coverage) / 2);
   std::vector<NormalPart> mixture;
   for (const Possible& possible : all) {
@@ -133,7 +133,7 @@ IntersectionEstimate averagedOver(const IntersectionEstimate& own, const std::ve
     mixture.push_back(
         {possible.odds, possible.value, std::sqrt(std::max(variance, leastVariance * square(own.sigma)))});
   }
-  constexpr double grain = 0.05;  // distance of joined parts, σ
+  constexpr double grain = 0.05;  // closer parts are joined; distance in σ
   const auto [mean, sigma] = momentsOf(mixture);
   mixture = joined(mixture, grain * sigma);
   std::vector<NormalPart> explanations = mixture;

@@ -48,8 +48,8 @@ bool isKnown(const Explanation& explanation) {
   return !explanation.shaped && (explanation.noisy || !explanation.parts.empty());
 }
 
-/// The best explanation by known causes, or a nearly as good one by fewer of these causes. Null if there is
-/// none.
+/// The best explanation by known causes, or a nearly as good one by fewer of the same causes. Null if no
+/// explanation consists of known causes.
 const Explanation* bestKnown(const Inquiry& inquiry) {
   const Explanation* const best = likeliest(inquiry, isKnown);
   const Explanation* simplest = best;
@@ -82,7 +82,7 @@ Answer knownAs(const Inquiry& inquiry, const Explanation& explanation) {
       Answer::Kind::Known, explanation, rivalsOf(inquiry, explanation), {}, modelWith(inquiry, explanation)};
 }
 
-/// The likeliest pattern, and the causes that are as good as certain in addition to it.
+/// The likeliest pattern, and each further cause with a probability of at least 0.95.
 Answer unknownAs(const Inquiry& inquiry, const Explanation& shaped) {
   const std::vector<std::vector<Rival>> rivals = rivalsOf(inquiry, shaped);
   Answer answer{Answer::Kind::Unknown, {}, {}, shaped.parts.back(), {}};
@@ -145,7 +145,7 @@ Answer beyondCatalogue(const Inquiry& inquiry, const Explanation& shaped) {
   return answer;
 }
 
-/// Whether a part of the answer, its look-alikes included, is likelier than `chance`.
+/// Whether a part of the answer, together with its look-alikes, is likelier than `chance`.
 bool isLikelier(const Inquiry& inquiry, const Answer& answer, double chance) {
   if (answer.explanation.noisy && inquiry.probabilityOf(noiseId) > chance) return true;
   for (std::size_t p = 0; p < answer.rivals.size(); ++p)
@@ -165,7 +165,7 @@ Answer likeliestAnswer(const Inquiry& inquiry) {
   if (shaped && unknown > known && unknown > nothing) return beyondCatalogue(inquiry, *shaped);
   if (!best || nothing >= known) return nothingIn(inquiry);
   Answer answer = knownAs(inquiry, *best);
-  // Many causes may be slightly likely, but none of them likelier than the alternative.
+  // Many causes may share the probability although none of them is likelier than the alternative.
   if (!isLikelier(inquiry, answer, std::max(nothing, unknown)))
     return !shaped || nothing >= unknown ? nothingIn(inquiry) : beyondCatalogue(inquiry, *shaped);
   const bool isNoise = !(sizeOf(answer.after).pValue < improbable);  // true without a p-value
@@ -181,7 +181,7 @@ Answer likeliestAnswer(const Inquiry& inquiry) {
 Answer conclude(const Inquiry& inquiry) {
   Answer answer = likeliestAnswer(inquiry);
   answer.measured = measuredModel(inquiry, answer.explanation, answer.after);
-  // The linear model had this answer, but the readings may not determine the nonlinear one.
+  // The answer comes from the linear model; the readings may not determine its nonlinear model.
   if (!answer.after.fit->isDetermined() || !answer.measured.fit->isDetermined()) {
     answer = unexplained(inquiry);
     answer.measured = inquiry.expected;

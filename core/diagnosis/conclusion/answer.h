@@ -38,7 +38,7 @@ struct Answer {
 /// known cause. Returns an Unknown without parts if the readings do not determine the model of that choice.
 Answer conclude(const Inquiry& inquiry);
 
-/// `closed`: the model with an explanation in it, except its pattern. `opened`: the session's own model with
+/// `closed`: the model with an explanation but without its pattern. `opened`: the session's own model with
 /// the same causes (`openedModelOf`).
 struct ExplainedModel {
   GapModel closed, opened;

@@ -14,7 +14,7 @@ std::vector<Cause> causesOf(const Inquiry& inquiry, const Answer& answer);
 /// The verdict of an answer with these causes.
 DiagnosisVerdict verdictOf(const Answer& answer, const std::vector<Cause>& causes);
 
-/// Every effect, ranked by how well it alone explains the leftover.
+/// Every effect and every other single cause found, ranked by how well each alone explains the leftover.
 std::vector<Candidate> candidatesOf(const Inquiry& inquiry);
 
 }  // namespace alidade

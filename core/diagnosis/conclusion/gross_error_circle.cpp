@@ -35,7 +35,7 @@ bool isAlone(const Measurement& measurement, const Located& at) {
                         }) == 1;
 }
 
-/// Corrects one circle reading of a sighting, so that the sighting meets the arc; false if it cannot.
+/// Corrects a circle reading so that the sighting meets the arc; `correct` returns false if this fails.
 class Correction {
  public:
   Correction(const Measurement& measurement, const ArcMeasurement& arc, const Circle& circle)

@@ -38,7 +38,7 @@ std::optional<Move> LinearMoves::of(const Explanation& explanation) {
       ofPattern = m_perReading.dot(component.times(leftover, part.weights));
       continue;
     }
-    // Linear equations hold neither for bent effects nor for all-or-nothing ones.
+    // Linear equations describe neither bent effects nor all-or-nothing effects.
     if (component.response() != Response::Linear) return std::nullopt;
     const bool isLeftOut = component.grossErrorAt().has_value();
     const double width = component.widthOfFit(part.width, part.weights);

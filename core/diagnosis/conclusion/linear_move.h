@@ -18,7 +18,7 @@ namespace alidade {
 
 struct Move {
   double shift = 0;     ///< change of the fit's Δd, mm
-  double variance = 0;  ///< variance of Δd, mm²: readings (scaled by the leftover), components, not zeros
+  double variance = 0;  ///< of Δd, mm²: of readings (scaled by the leftover) and components, without zeros
 };
 
 class LinearMoves {

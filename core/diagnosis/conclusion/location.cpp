@@ -161,7 +161,7 @@ std::vector<GapShare> sharesOfClosures(const GapModel& own) {
 
 namespace {
 
-/// Index of a reading among those of the leftover, which must contain it.
+/// Index of a reading in the leftover, which must contain the reading.
 Index indexOf(const Leftover& leftover, const ReadingRef& reading) {
   Index index = 0;
   while (!(readingRef(leftover, index) == reading)) ++index;
@@ -176,7 +176,7 @@ std::vector<GapShare> sharesOfFrames(const Inquiry& inquiry) {
   std::map<ErrorSource, double> ofSource;
   double& readings = ofSource[ErrorSource::Reading];
   double noise = 0;
-  // Redundancies with all readings, including those with large gross errors.
+  // The redundancies are those of all readings, including readings with large gross errors.
   const auto square = [&](Index reading, double sigmas) {
     return sigmas * sigmas * inquiry.ofAll().leftover.redundancy(reading);
   };

@@ -7,7 +7,7 @@
 
 namespace alidade {
 
-// Where a gap lies.
+// Shares of a gap by groups of readings, by sources of error, and by closures.
 
 /// Shares of the leftover's sum of squares by position, circle, face, round, sector of the slider and quarter
 /// of the session, each in ascending order. Only the excess over the noise counts, or the plain sum of
@@ -16,8 +16,8 @@ std::vector<GapShare> sharesOfReadings(const Leftover& leftover, const Measureme
                                        const JointFit& fit);
 
 /// Shares of the gap by the source of its cause: "guideway", "instrument", "time", "readings", and "noise"
-/// for the unexplained rest. Each explanation counts with its probability. One position alone cannot separate
-/// the first two, which form one share: "guideway or instrument".
+/// for the unexplained rest. Each explanation counts with its probability. Without both positions, guideway
+/// and instrument form one share: "guideway or instrument".
 std::vector<GapShare> sharesOfFrames(const Inquiry& inquiry);
 
 /// Shares of χ² beyond the stated noise: of the "readings" in the model with separate positions, and of each

@@ -33,8 +33,8 @@ struct Across {
   double covariance = 0;
 };
 
-/// The estimate of the plane's offset, freed from the prior N(p₀, p²) of its plausible size. The estimate
-/// contains the prior with the share g = Q/p²; the rest is (value − g p₀)/(1 − g). A known size is kept.
+/// The estimate of the plane's offset without the prior N(p₀, p²) of its plausible size. The estimate
+/// contains the prior with the share g = Q/p²; the rest is (value − g p₀)/(1 − g). A known size stays in it.
 std::optional<Across> acrossOf(const GapModel& model, const std::vector<double>& weights) {
   constexpr ErrorTerm offset = ErrorTerm::PlaneOffset;
   const JointFit& fit = *model.fit;
@@ -96,8 +96,8 @@ std::optional<Across> acrossOf(const GapModel& model) {
       model, intersectionWeights(*model.fit, *arcAt(*model.measurement, 0), *arcAt(*model.measurement, 180)));
 }
 
-/// Adds the variance of the jump terms to that of the drifts. Without a jump in the answer, these terms are
-/// the part of a drift during the pause (`addPause`).
+/// Adds the variance of each jump term to that of the drift of the same circle. If the answer contains no
+/// jump, the jump terms are the part of a drift during the pause (`addPause`).
 std::map<ErrorTerm, TermShare> withPausesInDrifts(std::map<ErrorTerm, TermShare> terms) {
   using enum ErrorTerm;
   for (const auto& [step, drift] :
@@ -228,9 +228,9 @@ class Measured {
     return averagedOver(own, possible, m_inquiry.base.measurement->coverage);
   }
 
-  /// The explanations to average over: those found, those with a look-alike of a part, and known sizes that
-  /// are out of date. Explanations by one gross error or one jump alone count even if unlikely, since the
-  /// search weighed them without the effects.
+  /// The explanations to average over: those of the search, variants of the answer with a look-alike, and
+  /// variants with an outdated known size. An explanation by one gross error or one jump counts even if it is
+  /// unlikely, since the search weighed it without the effects.
   std::vector<Explanation> explanations() {
     std::vector<Explanation> all = withRivals(m_answer, m_whole);
     for (const Explanation& explanation : m_inquiry.explanations) {

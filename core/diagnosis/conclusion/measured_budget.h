@@ -23,8 +23,8 @@ struct FittedExplanation {
   NoiseScale noise;
 };
 
-/// The shares of an averaged estimate, the largest first: those of one explanation, and what the average
-/// adds.
+/// The shares in the σ of an averaged estimate, the largest first: the shares of one explanation, and the
+/// share that the average adds.
 std::vector<UncertaintyShare> budgetOf(const FittedExplanation& fitted, const Measurement& measurement,
                                        const IntersectionEstimate& averaged);
 

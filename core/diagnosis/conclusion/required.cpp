@@ -19,8 +19,8 @@ using Eigen::MatrixXd, Eigen::VectorXd;
 
 constexpr double hardlyMoves = 1e-4;  // change of Δd by a plausible size, mm
 
-/// The weights that change Δd by `move` (mm) and are the smallest in plausible sizes and σ of the readings
-/// together. They are not finite if no weight changes Δd.
+/// Among the weights that change Δd by `move` (mm), those with the smallest sum of two squares: the weights,
+/// in plausible sizes, and their visible trace, in σ. They are not finite if no weight changes Δd.
 VectorXd leastThatMoves(const Component& component, const VectorXd& influence, double move) {
   MatrixXd cost = component.gram().topLeftCorner(influence.size(), influence.size());
   cost.diagonal().array() += 1;
@@ -28,7 +28,7 @@ VectorXd leastThatMoves(const Component& component, const VectorXd& influence, d
   return direction * (move / influence.dot(direction));
 }
 
-/// How much worse these weights explain the readings than the best ones, σ.
+/// By how many σ `weights` explain the readings worse than the best-fitting weights.
 double excludedBy(const Component& component, const VectorXd& products, const VectorXd& weights,
                   double noise) {
   const MatrixXd gram = component.gram().topLeftCorner(weights.size(), weights.size());

@@ -7,11 +7,11 @@
 
 namespace alidade {
 
-/// Returns the size at which each effect, or a jump between a zero and the first visit, would explain the
-/// difference of Δd from the reference. An effect of several numbers gets the sizes that are together the
-/// most plausible and least visible. Excluded are sizes that fit the readings worse than the best size by
-/// more than `clearlyDifferent` σ, effects of known size and all-or-nothing effects. The most plausible
-/// first; empty without a reference with its σ. `inquiry` must not use the reference.
+/// Returns the size at which each effect, or a jump between a zero and the first visit, explains the
+/// difference of Δd from the reference. The sizes of an effect's parameters are together the most plausible
+/// and least visible. Sizes that fit the readings worse than the best size by more than `clearlyDifferent` σ,
+/// effects of known size and all-or-nothing effects are excluded. The most plausible effect is the first.
+/// Empty without a reference with its σ. `inquiry` must not use the reference.
 std::vector<Required> whatItWouldTake(const Inquiry& inquiry);
 
 }  // namespace alidade

@@ -49,11 +49,11 @@ bool isClose(const Rival& rival) {
   return rival.odds > 0.03;
 }
 
-/// The jumps that explain the same as this gross error.
+/// The jumps that only the row of the gross error in part `index` shows, and that are nearly as likely.
 std::vector<Rival> jumps(const Inquiry& inquiry, const Explanation& explanation, std::size_t index,
                          Comparison& comparison) {
   const auto isJump = [&](const Part& other) { return inquiry.of(other).isJump(); };
-  if (std::ranges::any_of(explanation.parts, isJump)) return {};  // an explanation contains at most one
+  if (std::ranges::any_of(explanation.parts, isJump)) return {};  // an explanation contains at most one jump
   const Eigen::Index reading = *inquiry.of(explanation.parts[index]).grossErrorAt();
   const std::size_t row = inquiry.leftover.reading(reading).sequence;
   std::vector<Rival> rivals;
@@ -91,7 +91,7 @@ std::vector<Rival> nearlyLike(const Inquiry& inquiry, const Explanation& explana
 std::vector<Rival> others(const Inquiry& inquiry, const Explanation& explanation, std::size_t index,
                           Comparison& comparison) {
   const auto isJump = [&](const Part& other) { return inquiry.of(other).isJump(); };
-  const bool hasJump = std::ranges::any_of(explanation.parts, isJump);  // an explanation has at most one
+  const bool hasJump = std::ranges::any_of(explanation.parts, isJump);  // explanations have at most one jump
   return nearlyLike(inquiry, explanation, index, comparison, [&](const Component& candidate) {
     return candidate.isEffect() || (candidate.wrongZeroArc() && !hasJump);
   });

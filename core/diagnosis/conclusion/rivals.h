@@ -15,16 +15,16 @@ struct Rival {
   /// misread.
   double odds = 0;
   Part part;  ///< the replacement
-  /// Whether only its known size excludes this component: a change of that size is too improbable.
+  /// Whether the component is excluded only because its known size makes the necessary change improbable.
   bool isExcluded = false;
 };
 
 /// Rivals of each part: effects and jumps between a zero and the first visit; for a gross error, the jumps
-/// that only its row would show.
+/// that only the row of the reading shows.
 std::vector<std::vector<Rival>> rivalsOf(const Inquiry& inquiry, const Explanation& explanation);
 
-/// The jumps between another zero and its first visit that explain nearly the same as the jump `part`. They
-/// are one cause in these readings, but further readings may separate them.
+/// The jumps between another zero and its first visit that explain nearly the same as the jump `part`. All
+/// these jumps are one cause in these readings, but further readings may separate them.
 std::vector<Rival> otherWrongZeros(const Inquiry& inquiry, const Explanation& explanation, std::size_t part);
 
 /// Probability, 0…1, that the part or one of its rivals is among the causes, in any combination.

@@ -69,8 +69,8 @@ double logDeterminant(const Eigen::LDLT<MatrixXd>& factor) {
 
 }  // namespace
 
-/// The normal equations of an explanation: its own columns, and the effects' columns after elimination of the
-/// own ones.
+/// The normal equations of an explanation: its own columns, and the effects' columns after elimination of its
+/// own columns.
 struct WeighedExplanations::System {
   const Explanation* explanation = nullptr;
   std::vector<const Columns*> own = {};
@@ -106,7 +106,7 @@ void WeighedExplanations::alsoAt(const GapModel& at, const Explanation& explanat
   const std::optional<System> system = own->systemOf(explanation);
   if (!system) return;
   own->m_start = estimate->value - own->weighedAt(*system, scales).value;
-  // A base without large causes is far from `at`. This shift makes its Δd agree with that of `at`.
+  // Without large causes, the base is far from `at`. The shift makes its Δd agree with the Δd of `at`.
   if (const std::optional<System> here = systemOf(explanation))
     m_start += estimate->value - weighedAt(*here, scales).value;
   m_at = std::move(own);
@@ -129,7 +129,7 @@ MatrixXd WeighedExplanations::gramOfColumns() const {
   return columns.transpose() * columns;
 }
 
-/// Avoids a matrix of all columns, which would fill the memory in a large session.
+/// Avoids a matrix of all columns, which can fill the memory in a large session.
 MatrixXd WeighedExplanations::gramOfMany() const {
   const std::vector<EstimatedTerm>& along = m_inquiry.base.options.terms;
   std::vector<ErrorTerm> all;
@@ -157,7 +157,7 @@ const WeighedExplanations::Columns& WeighedExplanations::columnsOf(const Part& p
   Columns& columns = entry->second;
   if (!isNew) return columns;
   const Component& component = m_inquiry.of(part);
-  // All columns of a pattern would fill the memory in a large session: their weighted sum replaces them.
+  // All columns of a pattern can fill the memory in a large session: their weighted sum replaces them.
   const bool asFound = component.isShape() && isLarge(*m_inquiry.base.measurement);
   columns.whole = asFound ? MatrixXd(component.times(m_inquiry.leftover, part.weights))
                           : component.wholeColumns(m_inquiry.leftover);
@@ -256,7 +256,7 @@ WeighedExplanation WeighedExplanations::weighedAt(const System& system, const Ef
   MatrixXd matrix = system.effects;
   matrix.diagonal() += v * widths.cwiseAbs2().cwiseInverse();
   const Eigen::LLT<MatrixXd> factor(matrix);
-  if (factor.info() != Eigen::Success) return {.scales = scales, .logOdds = impossible};  // by rounding
+  if (factor.info() != Eigen::Success) return {.scales = scales, .logOdds = impossible};  // rounding errors
   const VectorXd weights = factor.solve(system.effectsRight),
                  perWeight = factor.solve(system.effectsInfluence);
   const double quadratic = system.quadratic + system.effectsRight.dot(weights);
@@ -286,7 +286,7 @@ std::vector<WeighedExplanation> WeighedExplanations::of(const Explanation& expla
   const std::optional<System> system = systemOf(explanation);
   const std::optional<System> there = m_at ? m_at->systemOf(explanation) : std::nullopt;
   if (!system && !there) return {};
-  // The posterior odds of the search hold without effects: the evidence of an explanation replaces `alone`.
+  // The search found the posterior odds without effects: the evidence with effects replaces `alone`.
   const double alone = (system ? weighedAt(*system, noEffect) : m_at->weighedAt(*there, noEffect)).logOdds;
   // Uses the linearisation that makes the explanation likelier, with effects of plausible size.
   const bool isThere =

@@ -27,10 +27,10 @@ struct WeighedExplanation {
   EffectScales scales;
   double logOdds = 0;   ///< natural logarithm of prior odds × evidence, relative to no cause and no effect
   double value = 0;     ///< Δd, mm
-  double variance = 0;  ///< variance of Δd, mm²: readings (scaled by the leftover) and widths, not zeros
+  double variance = 0;  ///< of Δd, mm²: due to readings (scaled by the leftover) and widths, without zeros
   /// The part of the variance due to the weights of explanation and effects, at the noise of the explanation.
   double ofWeights = 0;
-  std::vector<double> ofEffects = {};  ///< variance from the prior of each effect, mm²
+  std::vector<double> ofEffects = {};  ///< part of the variance due to the prior of each term, mm²
 };
 
 class WeighedExplanations {
@@ -47,7 +47,7 @@ class WeighedExplanations {
   /// One result for each of `possibleScales`, with its probability. Empty if the all-or-nothing effects
   /// of the explanation differ from those in the fit.
   std::vector<WeighedExplanation> of(const Explanation& explanation);
-  /// The result with these scales; their prior probability does not count.
+  /// The result with these scales, without their prior probability.
   std::optional<WeighedExplanation> of(const Explanation& explanation, const EffectScales& scales);
   /// Log evidence (natural) for one more component of an explanation, at its plausible size and without
   /// further effects.
@@ -56,7 +56,7 @@ class WeighedExplanations {
   Eigen::VectorXd takenByPattern(const Explanation& explanation, const EffectScales& scales);
 
  private:
-  /// The columns of a component outside the catalogue.
+  /// The columns of a component whose terms are not in `effects`.
   struct Columns {
     Eigen::MatrixXd whole, visible;
     Eigen::VectorXd right, influence;  ///< products with the leftover; influence on the fit's Δd, mm
@@ -65,7 +65,7 @@ class WeighedExplanations {
   struct System;
 
   const Inquiry& m_inquiry;
-  std::optional<Leftover> m_own;              ///< leftover at another fit; absent: use that of the inquiry
+  std::optional<Leftover> m_own;              ///< leftover at another fit; absent: the inquiry's leftover
   std::shared_ptr<WeighedExplanations> m_at;  ///< the second linearisation; null: none
   std::vector<ErrorTerm> m_allOrNothing;      ///< all-or-nothing terms in the fit of `m_own`
   double m_start = 0;                         ///< Δd without causes and effects, mm

@@ -20,7 +20,7 @@ namespace {
 
 using Combination = std::vector<const WeighedForm*>;
 
-/// The likeliest forms together, then the same with one of them replaced by a nearly as likely form.
+/// The combination of the likeliest forms, then variants that replace one of them by a nearly as likely form.
 std::vector<Combination> combinationsOf(const FoundForms& found) {
   Combination likeliest;
   for (const std::vector<WeighedForm>& likely : found.likely) likeliest.push_back(&likely.front());
@@ -33,7 +33,7 @@ std::vector<Combination> combinationsOf(const FoundForms& found) {
   return all;
 }
 
-/// Prior log odds (natural) of forms against nothing, with the averaging over their shape numbers.
+/// Prior log odds (natural) of forms against nothing, including the average over their shape numbers.
 double logPriorOf(const Combination& forms) {
   double log = 0;
   for (const WeighedForm* form : forms)
@@ -41,7 +41,7 @@ double logPriorOf(const Combination& forms) {
   return log;
 }
 
-/// The certain explanation, and the same without its jumps if it has any: a form may look like a jump.
+/// Returns `certain` and, if it contains jumps, a copy without them: a form may look like a jump.
 std::vector<Explanation> restsOf(const Inquiry& inquiry, const Explanation& certain) {
   Explanation calm = certain;
   std::erase_if(calm.parts, [&](const Part& part) { return inquiry.of(part).stepsOrientation(); });
@@ -62,7 +62,7 @@ struct Weighed {
   double logOdds = 0;
 };
 
-/// Explanations with the combinations, likeliest first. `forms`: part and prior log odds of each combination.
+/// Explanations with each combination, likeliest first. `forms`: part and prior log odds of each combination.
 std::vector<Weighed> weighedWith(WeighedExplanations& weighed, const Inquiry& inquiry,
                                  const Explanation& certain,
                                  const std::vector<std::pair<Part, double>>& forms) {
@@ -87,7 +87,7 @@ std::vector<Weighed> weighedWith(WeighedExplanations& weighed, const Inquiry& in
   return all;
 }
 
-/// Replaces the explanations with a pattern by `all`, which share their probability.
+/// Replaces the explanations with a pattern by `all`, which together get the same probability.
 void replacePatterns(Inquiry& inquiry, std::vector<Weighed> all) {
   const double chance = inquiry.chanceOf(&Explanation::shaped);
   double sum = 0;
@@ -101,8 +101,7 @@ void replacePatterns(Inquiry& inquiry, std::vector<Weighed> all) {
   inquiry.explanations.insert(inquiry.explanations.begin(), with.begin(), with.end());
 }
 
-/// The displacement by a pattern of the pointing zero to which the rows of a position refer: the mean over
-/// the sightings of the zero.
+/// The displacement of the pointing zero of a position by a pattern: the mean over the sightings of the zero.
 class ZeroShift {
  public:
   void add(ReadingKind kind, Angle off) {

@@ -8,16 +8,16 @@
 
 namespace alidade {
 
-/// Replaces the pattern of an unknown cause, or many effects, by forms. Explanations with a pattern become
-/// explanations with the forms, or with one form replaced by a nearly as likely one. The answer becomes an
-/// Unknown, whose models are fitted to readings minus the likeliest forms. Nothing changes without forms, or
-/// if these readings do not determine a model.
+/// Replaces the pattern of an Unknown, or the effects of a Several, by forms. Explanations with a pattern
+/// become explanations with the forms, or with one form replaced by a nearly as likely form. The answer
+/// becomes an Unknown, whose models are fitted to readings minus the likeliest forms. Nothing changes without
+/// forms, or if these readings do not determine a model.
 void takeUpForms(Inquiry& inquiry, Answer& answer, const FoundForms& found);
 
 /// Whether the pattern of the answer consists of forms.
 bool hasForms(const Inquiry& inquiry, const Answer& answer);
 
-/// Δd afterwards: the average over the explanations with forms, linearised at the inquiry's base.
+/// Δd with forms: the average over the explanations with forms, linearised at the inquiry's base.
 std::optional<IntersectionEstimate> intersectionWithForms(const Inquiry& inquiry, const Answer& answer);
 
 /// The measurement minus a pattern. `taken` is the contribution of the pattern to each reading of the

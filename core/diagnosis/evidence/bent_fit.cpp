@@ -41,8 +41,8 @@ class BentGrid {
     }
   }
 
-  /// Returns ln of the integral for a normal prior of this width. `highest` becomes ln of the integrand's
-  /// maximum, `at` its place. A peak too narrow for the grid is approximated as normal (Laplace).
+  /// Returns ln of the integral for a normal prior of this width. Sets `highest` to ln of the integrand's
+  /// maximum and `at` to its place. A peak too narrow for the grid is approximated as normal (Laplace).
   Gain integral(double width, double& highest, Vector2d& at) const {
     const double norm = -std::log(2 * M_PI * width * width);
     const Places& all = allPlaces();

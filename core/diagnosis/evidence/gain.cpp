@@ -29,8 +29,8 @@ template <int Widths>
 using Lane = Eigen::Array<double, Widths, 1>;
 
 /// Accumulates and solves the small matrix of the Woodbury identity, which has one row for each eliminated
-/// column. `Taken` is their number if loops are to be unrolled, else `Eigen::Dynamic`; a pattern may have
-/// about eighty.
+/// column. `Taken` is the number of these columns if loops are to be unrolled, else `Eigen::Dynamic`: a
+/// pattern may have about eighty columns.
 template <int Taken, int Widths>
 class SharedPart {
  public:
@@ -47,7 +47,7 @@ class SharedPart {
     }
   }
 
-  /// Adds the next column, a row of `shared`, minus `step` times the previous one.
+  /// Adds the next column, a row of `shared`, minus `step` times the previous column.
   void add(const Eigen::Ref<const MatrixXd>& shared, Index row, const Lane<Widths>& step,
            const Lane<Widths>& inverse, const Lane<Widths>& scaled) {
     for (std::size_t a = 0; a < count(); ++a) {

@@ -23,8 +23,8 @@ double logSum(double a, double b);
 /// Returns the odds for a difference of two log odds, at most 10⁶; 0 if both are `impossible`.
 double oddsOf(double difference);
 
-/// `width` is the most likely width, in plausible sizes. A gain that is not finite, as from columns that are
-/// rounding errors, counts as impossible.
+/// `width` is the most likely width, in plausible sizes. A gain that is not finite comes from columns that
+/// are rounding errors, and counts as impossible.
 struct Gain {
   Gain() = default;
   Gain(double logGain, double ofWidth) : log(std::isfinite(logGain) ? logGain : impossible), width(ofWidth) {}
@@ -33,7 +33,7 @@ struct Gain {
   double width = 1;
 };
 
-/// Returns the gain of a component added first. `gram` is G, `right` is c.
+/// Returns the gain of the first component of an explanation. `gram` is G, `right` is c.
 Gain gainOf(const std::vector<Width>& widths, const Eigen::MatrixXd& gram, const Eigen::VectorXd& right,
             double variance);
 
@@ -42,7 +42,7 @@ Gain gainOf(const std::vector<Width>& widths, const Eigen::MatrixXd& gram, const
 struct Tridiagonal {
   Eigen::MatrixXd matrix;       ///< columns × matrix are the turned columns; empty: no rotation
   Eigen::VectorXd diagonal;     ///< squared lengths of the turned columns
-  Eigen::VectorXd subdiagonal;  ///< inner products of neighbouring columns, one fewer
+  Eigen::VectorXd subdiagonal;  ///< inner products of neighbouring columns, one entry fewer
 };
 Tridiagonal tridiagonalOf(const Eigen::MatrixXd& gram);
 

@@ -15,7 +15,7 @@ bool beatNothing(const std::vector<WeighedForm>& all) {
 
 namespace {
 
-/// The forms that can enter an average: likely ones with known amplitudes.
+/// The forms that can enter an average: likely forms with known amplitudes.
 std::vector<WeighedForm> likelyOf(const std::vector<WeighedForm>& all) {
   std::vector<WeighedForm> likely;
   for (const WeighedForm& each : all)

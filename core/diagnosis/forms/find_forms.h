@@ -32,7 +32,7 @@ inline constexpr FormThresholds formThresholds;
 struct FoundForms {
   std::vector<FoundForm> forms;
   std::vector<FormFamily> families;  ///< family of each form
-  /// For each form: the form itself and nearly as likely ones in its place, the likeliest first.
+  /// For each form: the form itself and nearly as likely forms in its place, the likeliest first.
   std::vector<std::vector<WeighedForm>> likely;
   int numbers = 0;  ///< amplitudes and shape numbers of all forms
   /// Error of each reading's prediction from other readings (`addShrinkage`), in σ of the reading; empty if
@@ -42,9 +42,9 @@ struct FoundForms {
 
 /// Decisions that depend on where the readings come from.
 struct FormChoice {
-  std::function<bool(const std::vector<WeighedForm>&)> isNamed;  ///< whether the first form is named
-  std::function<bool(int numbers)> isAnythingLeft;               ///< whether a gap is left by so many numbers
-  std::function<void(const WeighedForm&, FoundForm&)> note;      ///< completes a named form
+  std::function<bool(const std::vector<WeighedForm>&)> isNamed;  ///< whether the likeliest form is reported
+  std::function<bool(int numbers)> isAnythingLeft;               ///< whether so many numbers leave a gap
+  std::function<void(const WeighedForm&, FoundForm&)> note;      ///< completes a reported form
 };
 
 /// Finds up to three forms, one after the other. `system` absorbs each form before the next search.

@@ -10,7 +10,7 @@ namespace alidade {
 /// Forms that differ in their shape numbers only.
 struct FormFamily {
   Form form;
-  std::vector<Form> grid;  ///< forms with start values of the shape numbers; one if there are none
+  std::vector<Form> grid;  ///< forms with start values of the shape numbers; a single form if it has none
   double logPrior = 0;     ///< natural logarithm; 2 bits less for each word; the priors sum to 1
   double logVolume = 0;    ///< natural logarithm of the range of the shape numbers in `shapeCoordinates`
 };
@@ -22,9 +22,9 @@ std::vector<FormFamily> formFamilies(const FormReadings& readings);
 Eigen::Array2d shapeCoordinates(const Form& form);
 void setShapeCoordinates(Form& form, const Eigen::Array2d& coordinates);
 
-/// The words of a form, for its prior of two bits for each: carrier, function, argument, sign in face 2,
-/// shape numbers. A form has one word more if it follows the slider, which turns with the guideway, but acts
-/// in a direction of the room.
+/// The number of words of a form, each of which costs two bits of its prior: carrier, function, argument,
+/// sign in face 2, shape numbers. A form has one word more if it follows the slider, which turns with the
+/// guideway, but acts in a direction of the room.
 int wordsOf(const Form& form);
 
 /// Unit of an amplitude's prior widths (`formWidths`), mm or arcseconds.

@@ -71,7 +71,7 @@ class SessionReadings {
     set(FormCarrier::Orientation, horizontal + vertical);
     const VectorXd slider = perArcsecond * m_leftover.column(Unknown::Kind::SliderZero);
     set(FormCarrier::Slider, slider);
-    // A displacement δ of the target along the arc: the theodolite sights s + δ/R, the slider reads s.
+    // If the target is displaced by δ along the arc, the theodolite sights s + δ/R and the slider reads s.
     set(FormCarrier::Tangential, slider * (-1 / (perArcsecond * m_measurement.nominalRadius)));
   }
 
@@ -101,8 +101,8 @@ class SessionReadings {
     set(Position, each([&](Index i) { return halfTurnSign(arcOf(i).axisDeg); }));
   }
 
-  /// Adjusted azimuth, or elevation above the horizon, of each reading's row. A function of the observed
-  /// direction would follow its noise.
+  /// Adjusted azimuth, or elevation above the horizon, of each reading's row. A function of observed
+  /// directions follows their noise.
   VectorXd adjusted(ReadingKind kind) const {
     std::vector<std::vector<double>> values;
     for (const ArcMeasurement& arc : m_measurement.arcs)

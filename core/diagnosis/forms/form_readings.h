@@ -17,7 +17,7 @@ inline constexpr std::size_t formCarriers = 10, formArguments = 10;
 struct FormReadings {
   Eigen::Index count = 0;
   /// ∂reading/∂carrier, whitened, per mm or arcsecond; empty if the carrier changes no reading. `Orientation`
-  /// holds the sum of both circles; `Vertical` is reduced to face 1, up positive.
+  /// holds the sum of both circles; `Vertical` is reduced to face 1 and positive upwards.
   std::array<Eigen::VectorXd, formCarriers> carriers;
   /// Value of each argument: rad, share, ±1 or round; empty if it is equal for all readings or unknown.
   std::array<Eigen::VectorXd, formArguments> arguments;
@@ -41,13 +41,12 @@ Eigen::MatrixXd formColumns(const FormReadings& readings, const Form& form);
 /// The columns of a free form with places that were found in other readings.
 Eigen::MatrixXd formColumns(const FormReadings& readings, const Form& form,
                             const std::vector<double>& places);
-/// The number of columns of a form.
 Eigen::Index columnsOf(const FormReadings& readings, const Form& form);
 /// The places of a `PerPlace` form, or the moments of the steps of a walk, in the unit of the argument.
 /// Places within 0.1° count as one.
 std::vector<double> placesOf(const FormReadings& readings, const Form& form);
-/// The functions at `x` of a free form, one for each of `places`. Those of a walk with n steps are divided by
-/// √n: independent amplitudes of σ a then give a final displacement of σ a.
+/// The functions at `x` of a free form, one for each of `places`. The functions of a walk with n steps are
+/// divided by √n: the final displacement then has the σ of the independent amplitudes.
 Eigen::VectorXd freeFunctions(const Form& form, const std::vector<double>& places, double x);
 /// The functions at `x` of a form that is not free: one, or cosine and sine.
 Eigen::Array2d formFunctions(const Form& form, double x);

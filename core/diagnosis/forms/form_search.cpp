@@ -82,8 +82,8 @@ class Weighing {
     return best;
   }
 
-  /// The spread of the shape about the likeliest one. It includes distant shapes that also explain the
-  /// readings.
+  /// The spread (rms) of the shapes about the likeliest shape. It includes distant shapes that also explain
+  /// the readings.
   static Eigen::Array2d spreadOnGrid(const FormFamily& family, const std::vector<double>& logs,
                                      const WeighedForm& best) {
     const Eigen::Array2d middle = shapeCoordinates(best.form);
@@ -185,8 +185,8 @@ class Weighing {
       const bool isThere = factor.info() == Eigen::Success && (move.abs() <= step / 2).all();
       const Eigen::Vector2d scale =
           bend.curve.diagonal().cwiseAbs().cwiseMax(1e-12).cwiseSqrt().cwiseInverse();
-      // Stops once the differences are as fine as the uncertainty of the numbers: the evidence is a parabola
-      // there.
+      // Stops when the finite differences are as fine as the uncertainty of the shape numbers: on this scale
+      // ln evidence is a parabola.
       if (isThere && (scale.head(count).array() > step.head(count) / 2).all()) break;
       step = isThere ? (step / 4).max(step.min(scale.array())) : Eigen::Array2d(step * 0.6);
     }
@@ -208,7 +208,7 @@ class Weighing {
     weighed.logAveraged = weighed.logEvidence + std::min(logPeak - logVolume, 0.0);
   }
 
-  /// Sets the σ of a step: it has the same effect anywhere between two values of the argument.
+  /// Sets the σ of a step, which has the same effect at all places between two values of the argument.
   void refineStep(WeighedForm& weighed, const FormFamily& family) const {
     double gap = 0;
     for (std::size_t i = 1; i < family.grid.size(); ++i)

@@ -36,8 +36,8 @@ class FormSystem {
 
   struct Products {
     Eigen::MatrixXd all;    ///< columns over the rows of the system
-    Eigen::MatrixXd taken;  ///< their products with the basis
-    Eigen::VectorXd right;  ///< their products with the leftover
+    Eigen::MatrixXd taken;  ///< products of `all` with the basis
+    Eigen::VectorXd right;  ///< products of `all` with the leftover
 
     Eigen::MatrixXd gram(Eigen::Index first, Eigen::Index count) const;
   };
@@ -54,7 +54,7 @@ class FormSystem {
 struct WeighedForm {
   Form form;
   double logPrior = 0;
-  double logEvidence = impossible;  ///< natural logarithm at that shape, integrated over the amplitudes
+  double logEvidence = impossible;  ///< natural logarithm at `form`, integrated over the amplitudes
   double logAveraged = impossible;  ///< `logEvidence` averaged over the shape numbers
   double width = 1;                 ///< prior width of the amplitudes, in `formUnit`
   Eigen::Array2d sigmas{};          ///< standard uncertainty of `shapeCoordinates`
@@ -68,7 +68,7 @@ struct WeighedForm {
 /// ln of the sum of the posterior odds against no form.
 double logSumOf(const std::vector<WeighedForm>& all);
 
-/// All families, the likeliest first. Only the most promising have refined shape numbers and amplitudes.
+/// All families, the likeliest first. Only promising families have refined shape numbers and amplitudes.
 std::vector<WeighedForm> weighForms(const FormSystem& system, const FormReadings& readings,
                                     const std::vector<FormFamily>& families, const std::stop_token& stop);
 

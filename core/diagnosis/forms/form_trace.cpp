@@ -84,7 +84,7 @@ class Tracer {
   }
 
   void addPoints(const FoundForm& found, const Channel& channel, FormTrace& trace) const {
-    constexpr double leastWeight = 0.04;  // at most five times the least σ
+    constexpr double leastWeight = 0.04;  // share of the largest weight: σ is at most five times the least σ
     VectorXd carrier = m_readings.of(channel.carrier);
     if (found.form.turnsWithFace) carrier = carrier.cwiseProduct(m_readings.face);
     const VectorXd seen = m_leftover.outsideArcAngles(carrier).col(0);
@@ -144,7 +144,7 @@ void addTraces(FoundForms& found, const VectorXd& left, const Leftover& leftover
 
 void addCleanRange(FoundForm& found, const FormReadings& readings) {
   constexpr int steps = 1000;
-  constexpr double least = 0.05;  // of the range: a shorter one is a zero crossing of the form
+  constexpr double least = 0.05;  // share of the range: a shorter clean range is a zero crossing
   const Form& form = found.form;
   if (form.function == FormFunction::Harmonic || form.function == FormFunction::Hysteresis || form.isFree())
     return;

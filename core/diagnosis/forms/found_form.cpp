@@ -121,8 +121,8 @@ std::vector<std::string> coefficientNames(const FoundForm& found, Index count) {
   return names;
 }
 
-/// The amplitude of one carrier: its only coefficient, or the root of the sum of its squared coefficients.
-/// For a form with a number at each place it is their rms.
+/// The amplitude of one carrier: its only coefficient, or the root of the sum of its squared coefficients. A
+/// form with a coefficient at each place has their rms as amplitude.
 FormNumber amplitudeOf(const WeighedForm& weighed, Index first, Index count, const std::string& name) {
   const double per = weighed.form.function == FormFunction::PerPlace ? std::sqrt(double(count)) : 1;
   const VectorXd own = weighed.amplitudes.segment(first, count) / per;

@@ -5,8 +5,8 @@
 
 namespace alidade {
 
-/// The result for a form: formula, coefficients and parameters. `all` holds every family; their posterior
-/// probabilities give that of the form and the uncertainty of its order.
+/// The result for a form: formula, coefficients and parameters. The posterior probabilities of all families,
+/// in `all`, give the probability of the form and the uncertainty of its order.
 FoundForm foundForm(const WeighedForm& weighed, const std::vector<WeighedForm>& all);
 
 /// Returns a formula such as "radial = A*cos(7*s) + B*sin(7*s)".

@@ -35,7 +35,7 @@ VectorXd leastSquares(const MatrixXd& columns, const VectorXd& observed) {
   return qr.solve(observed);
 }
 
-/// The readings of one fold, predicted by the others.
+/// The readings of one fold, and their prediction from all other readings.
 class Fold {
  public:
   Fold(const HeldOutReadings& held, int fold, Index rows) {
@@ -47,7 +47,7 @@ class Fold {
 
   const Rows& out() const { return m_out; }
 
-  /// Prediction errors of `model` with these columns at the fold's readings, after a fit to all others.
+  /// Prediction errors of `model` with these columns at the fold's readings, after a fit to all other rows.
   VectorXd errors(const DividedModel& model, const MatrixXd& columns) const {
     MatrixXd all(model.left.size(), model.basis.cols() + columns.cols());
     all << model.basis, columns;

@@ -34,12 +34,12 @@ double rmsOf(const Eigen::VectorXd& left, const Eigen::VectorXd& arcseconds);
 /// the exact test of the hypothesis that the forms predict nothing of held-out readings.
 ///
 /// For each fold, shape and amplitudes are found from the other readings. They predict one column g for the
-/// readings y of the fold; g is independent of their noise, whatever was searched. With Q the projector that
-/// eliminates the model from y alone, F = (gᵀQy)²/(gᵀQg)/(rest/ν) follows F(1, ν) if there is no form; rest
-/// is the remainder of yᵀQy. The least probability of all folds counts, times their number (Bonferroni).
+/// readings y of the fold, whose noise is independent of g. With Q the projector that eliminates the model
+/// from y alone, F = (gᵀQy)²/(gᵀQg)/(rest/ν) follows F(1, ν) if there is no form; rest is the remainder of
+/// yᵀQy. The result is the least probability of all folds times their number (Bonferroni).
 ///
-/// `plain` contains the certain causes, `full` every effect; the forms were found in `full`. The rms
-/// before is that of `plain` without the forms. The rms after is the lesser of both models with the forms.
+/// `plain` contains the certain causes, `full` every effect; the forms were found in `full`. The rms before
+/// is that of `plain` without the forms. The rms after is the smaller rms of the two models with the forms.
 void addShrinkage(FoundForms& found, const DividedModel& plain, const DividedModel& full,
                   const HeldOutReadings& held, const FormReadings& readings, double variance,
                   const std::stop_token& stop);

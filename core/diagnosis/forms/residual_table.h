@@ -10,7 +10,7 @@ namespace alidade {
 
 /// A table of residuals, whitened by their stated σ.
 struct ResidualTable {
-  FormReadings readings;     ///< carriers horizontal, vertical and, where there are both, orientation
+  FormReadings readings;     ///< carriers: horizontal, vertical, and orientation if both occur
   Eigen::VectorXd residual;  ///< divided by σ
   Eigen::VectorXd sigma;     ///< arcsec
   Eigen::MatrixXd base;      ///< base columns, divided by σ

@@ -24,7 +24,7 @@ Leftover leftoverOf(const GapModel& model) {
   return Leftover(linearise(*model.measurement, *model.fit, model.options), model.options.terms);
 }
 
-/// Adds every effect except the excluded ones.
+/// Adds every effect except those in `options.without`.
 GapModel withEffects(const GapModel& plain, const EffectScales& scales, const DiagnosisOptions& options) {
   GapModel full = withEveryEffect(plain, scales);
   const auto isLeftOut = [&](const EstimatedTerm& term) {
@@ -70,7 +70,7 @@ class SessionForms {
  private:
   const Inquiry& m_inquiry;
   const std::stop_token& m_stop;
-  GapModel m_plainModel, m_fullModel;  ///< with the certain causes except jumps; with every effect, too
+  GapModel m_plainModel, m_fullModel;  ///< with the certain causes except jumps; also with every effect
   Leftover m_plain, m_full;
   FormReadings m_readings;
   std::vector<FormFamily> m_families;
@@ -117,8 +117,8 @@ class SessionForms {
            formThresholds.noiseAlone;
   }
 
-  /// Whether the forms are likelier than no form and than the likeliest patterns. A form after which only
-  /// noise is left may be a little less likely than the patterns, some of which resemble the form.
+  /// Whether the forms are likelier than no form and than the likeliest patterns. A form that leaves only
+  /// noise may be up to 20 times less likely than the patterns, because some of them resemble the form.
   bool isNamed(const std::vector<WeighedForm>& all) const {
     if (!beatNothing(all)) return false;
     const double over = logSumOf(all) - logPatterns();

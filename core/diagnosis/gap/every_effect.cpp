@@ -15,7 +15,7 @@ namespace alidade {
 namespace {
 
 /// Returns the prior of the tilt about x if the session does not state whether the plane is vertical or
-/// square to an inclined zero. Both are equally probable.
+/// square to an inclined zero. Both cases are equally probable.
 std::optional<Prior> tiltInDoubt(const Measurement& measurement) {
   constexpr double level = 0.1 * std::numbers::pi / 180;  // rad; a smaller tilt affects neither the readings
                                                           // nor Δd

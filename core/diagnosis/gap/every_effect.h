@@ -17,7 +17,7 @@ namespace alidade {
 std::vector<EstimatedTerm> everyEffect(const Measurement& measurement);
 
 /// Returns the terms of `everyEffect` with known sizes. They include the tilt of the plane if the session
-/// does not state whether it is square to an inclined zero (`Measurement::isPlaneStated`).
+/// does not state whether the plane is square to an inclined zero (`Measurement::isPlaneStated`).
 std::vector<EstimatedTerm> knownTerms(const Measurement& measurement);
 
 /// Returns the model with every known number as an unknown with its known uncertainty. Known effects are then
@@ -40,7 +40,7 @@ inline constexpr EffectScales noEffect{1e-6, 1e-6, 1e-6};
 
 /// Prior scales with their probabilities, which sum to 1. Scales are 1 or 3, for all effects together or for
 /// each source separately; both alternatives are equally probable. No scale is below 1: visible small effects
-/// give no information about undetectable ones.
+/// give no information about undetectable effects.
 struct PossibleScales {
   EffectScales scales;
   double probability = 0;

@@ -38,11 +38,11 @@ Result<GapModel, NoModel> modelOf(const Measurement& measurement, const SessionF
 /// Fits the measurement and stores the fit in the model.
 Result<GapModel, NoModel> modelOf(const Measurement& measurement);
 
-/// Returns the same model with a rigid guideway that turns about the axis (`JointFitOptions::isClosed`). The
-/// new model also uses what the positions have in common. Absent without both positions, or if the fit fails.
+/// Returns `own` with a rigid guideway that turns about the axis (`JointFitOptions::isClosed`). The new model
+/// also uses what the positions have in common. Absent without both positions, or if the fit fails.
 std::optional<GapModel> closedModelOf(const GapModel& own);
 
-/// Returns the session's own model with the causes that `closed` adds, held at their sizes in `closed`. The
+/// Returns the session's own model with the causes that `closed` adds, fixed at their sizes in `closed`. The
 /// result has the residuals and closures after these causes. Returns `closed` itself if it is not closed.
 GapModel openedModelOf(const GapModel& closed, const GapModel& own);
 

@@ -22,15 +22,15 @@ struct Row {
   double arcseconds = 0;     ///< σ of the reading; 0 for a row that does not count
 };
 
-/// The whitened equations at the solution of a fit, arc angles eliminated: rows of readings, then of prior
-/// knowledge. A reading alone in its visit carries no information and has no row.
+/// The whitened equations at the solution of a fit, after elimination of the arc angles: rows of readings,
+/// then of prior knowledge. A reading alone in its visit carries no information and has no row.
 struct Equations {
   MatrixXd columns;
   VectorXd observed;
   std::vector<Row> rows;
 };
 
-/// Adds the rows of one visit, readings [first, end), with its arc angle eliminated.
+/// Adds the rows of one visit, readings [first, end), after elimination of its arc angle.
 void addVisit(Equations& equations, const Linearised& set, const MatrixXd& columns, std::size_t first,
               std::size_t end) {
   std::vector<std::size_t> taking;
@@ -116,10 +116,10 @@ class Folds {
     }
   }
 
-  /// Returns the squared errors of the prediction of a fold from the others. Absent if the others do not
-  /// determine the unknowns.
+  /// Returns the squared errors of the prediction of a fold from the other folds. Absent if the other folds
+  /// do not determine the unknowns.
   std::optional<Squares> predicted(std::size_t fold) const {
-    constexpr double determined = 1e-13;  // square of the part of a column that is orthogonal to the others
+    constexpr double determined = 1e-13;  // square of the part of a column orthogonal to the other columns
     Normal others = m_sums[folds];
     for (std::size_t f = 0; f < folds; ++f)
       if (f != fold) {

@@ -10,8 +10,8 @@ namespace alidade {
 ///
 /// Some choices come from all readings: the causes, the moment of a jump, the readings with gross errors, the
 /// prior widths and the point of linearisation. Readings with gross errors are excluded from the fit and from
-/// rms after, and so are readings that they leave alone in a visit. Folds whose complement determines no
-/// circle are skipped. Not a number if none remains.
+/// rms after, and so is the only remaining reading of a visit. Folds whose complement determines no circle
+/// are skipped. Not a number if no fold remains.
 double heldOutShrinkage(const GapModel& before, const GapModel& after);
 
 }  // namespace alidade

@@ -41,7 +41,7 @@ class Leftover {
 
   /// Returns the part of `columns` (`rows()` or `readings()` long) that the fit cannot absorb.
   Eigen::MatrixXd visible(const Eigen::MatrixXd& columns) const;
-  /// The observations, and `columns` (`rows()` or `readings()` long), with only the arc angles eliminated.
+  /// The observations, and `columns` (`rows()` or `readings()` long), after elimination of arc angles only.
   const Eigen::VectorXd& observed() const { return m_observed; }
   Eigen::MatrixXd outsideArcAngles(const Eigen::MatrixXd& columns) const;
   /// Orthonormal basis of what the fit absorbs, orthogonal to the arc angles. If the fit absorbs nothing, the

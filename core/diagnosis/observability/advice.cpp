@@ -22,7 +22,7 @@ namespace {
 
 using Eigen::Index, Eigen::MatrixXd, Eigen::VectorXd;
 
-/// Distances between identifiers: the smallest over all pairs of suspects with these identifiers.
+/// Distances between identifiers, σ: the smallest of all pairs of suspects with these identifiers.
 class Distances {
  public:
   template <typename Apart>
@@ -44,7 +44,7 @@ class Distances {
       }
   }
 
-  /// Returns the largest set of suspects in which every two are apart; among equal ones the most likely.
+  /// Returns the largest set of suspects that are pairwise apart; among sets of equal size, the most likely.
   Advice largestApart(std::vector<Measure> measures) const {
     Advice advice{.measures = std::move(measures)};
     double most = 0;
@@ -131,8 +131,8 @@ Eigen::Vector2d sigmasOfTwoSightings(const Measurement& measurement) {
 }
 
 /// Returns the effect of a suspect on a new sighting of the zero after the last visit of each position. The
-/// result is for both circles, in σ of the difference of two sightings. A drift has its rate times the time
-/// since the first sighting, a jump its size, a guideway effect 0.
+/// result is for both circles, in σ of the difference of two sightings. It is the rate of a drift times the
+/// time since the first sighting, the size of a jump, and 0 for a guideway effect.
 VectorXd atTheZeros(const Measurement& measurement, const PossibleCause& suspect) {
   VectorXd left = VectorXd::Zero(2 * std::ssize(measurement.arcs));
   const Eigen::Vector2d sigmas = sigmasOfTwoSightings(measurement);
@@ -156,7 +156,7 @@ VectorXd atTheZeros(const Measurement& measurement, const PossibleCause& suspect
   return left;
 }
 
-/// Errors of the instrument's axes and circles are equal in both sightings of a zero, so they cancel.
+/// Errors of the instrument's axes and circles are equal in both sightings of a zero: they cancel.
 Advice bySightingZeros(const Measurement& measurement, const std::vector<PossibleCause>& suspects) {
   return Distances(suspects,
                    [&](const PossibleCause& one, const PossibleCause& other) {
@@ -166,7 +166,7 @@ Advice bySightingZeros(const Measurement& measurement, const std::vector<Possibl
 }
 
 /// Returns the effect of a suspect on the difference of two measured distances, in σ of this difference. The
-/// σ of one distance is the stated one, or 1 mm.
+/// σ of one distance is the stated σ, or 1 mm if none is stated.
 double atTheDistances(const Measurement& measurement, const PossibleCause& suspect) {
   constexpr double usualSigma = 1;  // mm
   const double sigma = measurement.sigmaDistance > 0 ? measurement.sigmaDistance : usualSigma;
@@ -238,7 +238,7 @@ std::optional<Advice> separatingFromJump(const Inquiry& inquiry, const std::vect
   return std::nullopt;
 }
 
-/// Returns what reveals an undetectable jump, such as one between the zero and the first visit.
+/// Returns the advice to sight the zero again if a jump is undetectable: the zero reveals the jump.
 std::optional<Advice> revealingJump(const Inquiry& inquiry, const std::vector<Detectability>& undetectable) {
   const auto jump = std::ranges::find(undetectable, jumpId, &Detectability::effect);
   if (jump == undetectable.end()) return std::nullopt;

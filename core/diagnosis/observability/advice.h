@@ -21,12 +21,12 @@ struct PossibleCause {
   std::optional<JumpMoment> moment = {};  ///< for a jump
 };
 
-/// Returns the readings that would separate the suspects. With fewer than two suspects, or more than 16, it
-/// returns those that would reveal undetectable effects.
+/// Returns the readings that can separate the suspects. With fewer than two suspects, or more than 16,
+/// returns the readings that can reveal undetectable effects.
 ///
-/// Two suspects are separated if, whichever is the cause at its estimated size, every trace of the other is
-/// at least `clearlyDifferent` σ away. The measure that most probably leaves one answer comes first; among
-/// equal ones the cheapest. Combinations are offered only if no single measure leaves one answer.
+/// Two suspects are separated if the trace of either at its estimated size is at least `clearlyDifferent` σ
+/// away from every trace of the other. The measure that most probably leaves one answer comes first; among
+/// equal measures, the cheapest. Combinations are offered only if no single measure leaves one answer.
 std::vector<Advice> adviceFor(const Inquiry& inquiry, const std::vector<PossibleCause>& suspects,
                               const std::vector<Cause>& causes,
                               const std::vector<Detectability>& undetectable);

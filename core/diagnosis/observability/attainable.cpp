@@ -38,7 +38,7 @@ std::optional<Intersection> intersectionOf(const GapModel& planned) {
   return planned.fit->converged() ? intersect(*planned.measurement, *planned.fit) : std::nullopt;
 }
 
-/// Returns the reduction of the variance of Δd by exact knowledge of an effect's numbers, mm²: cᵀ S⁻¹ c. c
+/// Returns the reduction of the variance of Δd by exact knowledge of an effect's parameters, mm²: cᵀ S⁻¹ c. c
 /// are their covariances with Δd, S is their covariance matrix.
 double varianceUpTo(const GapModel& planned, const Effect& effect) {
   const JointFit& fit = *planned.fit;
@@ -62,7 +62,7 @@ double varianceUpTo(const GapModel& planned, const Effect& effect) {
   return std::max(withIntersection.dot(among.ldlt().solve(withIntersection)), 0.0);
 }
 
-/// Returns the attainable U for each effect whose certificate would be worth the effort.
+/// Returns the attainable U for each effect whose certificate is worth the effort (`worthwhileShare`).
 std::vector<AttainableUncertainty> withKnownEffects(const GapModel& planned, const Intersection& found) {
   std::vector<AttainableUncertainty> list;
   for (const Effect* effect : effectsOf(*planned.measurement)) {
@@ -80,7 +80,7 @@ bool isOneMoreOf(const std::vector<Measure>& some, const std::vector<Measure>& m
          });
 }
 
-/// Whether U falls enough relative to the readings as they are and to every part of the combination.
+/// Whether U is clearly less than the U of the present readings and of every part of the combination.
 bool isWorthIt(const AttainableUncertainty& attainable, const std::vector<AttainableUncertainty>& all) {
   return std::ranges::all_of(all, [&](const AttainableUncertainty& other) {
     return !isOneMoreOf(other.measures, attainable.measures) ||

@@ -15,9 +15,9 @@ inline constexpr double worthwhileShare = 0.9;
 /// Every catalogue effect has its known size or `scales` times its plausible size; estimated effects have
 /// their prior uncertainty.
 ///
-/// The first entry is for the readings as they are. The others, in ascending order, are for more readings or
-/// a known effect that reduce U to `worthwhileShare` or less. A combination must also do so relative to each
-/// part of it. Empty without both positions, or for too many rows (`isLarge`).
+/// The first entry is for the readings as they are. The other entries, in ascending order, are for more
+/// readings or a known effect that reduce U to `worthwhileShare` or less. A combination must also reduce the
+/// U of each of its parts to this share. Empty without both positions, or for too many rows (`isLarge`).
 std::vector<AttainableUncertainty> attainableUncertainties(const GapModel& model, double noise,
                                                            const EffectScales& scales = {});
 

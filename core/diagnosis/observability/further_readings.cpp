@@ -188,7 +188,7 @@ auto offering(const std::function<void(const FurtherReadings&)>& take) {
   };
 }
 
-/// Returns the rows without error and without sightings of zeros. The zeros follow when all rows are known.
+/// Returns the rows without error. Sightings of zeros are missing: they are added when all rows are known.
 Measurement rowsWithoutError(const GapModel& model) {
   Measurement plan = *model.measurement;
   leaveOutZeros(plan);

@@ -15,8 +15,8 @@ struct FurtherReadings {
   std::vector<Measure> measures;
   std::vector<Measurement> sets;
   bool includesSession = false;  ///< the first set is the session itself, with error-free readings
-  bool goesOn = false;  ///< the only set is the session with more readings at its end; its row numbers are
-                        ///< kept
+  bool goesOn = false;  ///< the only set is the session with more readings at its end; its rows keep their
+                        ///< numbers
 };
 
 /// Returns the session as planned, with error-free readings.
@@ -30,8 +30,8 @@ void eachFurtherReadings(const GapModel& model, const std::function<void(const F
 /// slider; both positions repeated.
 void eachCombination(const GapModel& model, const std::function<void(const FurtherReadings&)>& take);
 
-/// Linearises planned readings, which do not contain the effects of the model. The terms of these effects are
-/// estimated; derivatives are by them and by `terms`. Passes pieces to `take`, like `linearise`.
+/// Linearises planned readings, which do not contain the effects of the model. The terms of the effects are
+/// estimated; derivatives are by these terms and by `terms`. Passes pieces to `take`, like `linearise`.
 void linearisePlan(const GapModel& model, const Measurement& set, const std::vector<ErrorTerm>& terms,
                    const std::function<void(const Linearised& piece)>& take);
 

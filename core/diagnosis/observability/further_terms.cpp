@@ -40,7 +40,7 @@ VisibleTerms FurtherTerms::goingOn(const Measurement& set) const {
   return sum.sum();
 }
 
-/// Uses the session's own equations if it was fitted without effects and with all its readings.
+/// Uses the session's own equations if the session was fitted without effects and with all its readings.
 VisibleTerms FurtherTerms::ofSession(const Measurement& plan) const {
   if (!m_model.options.terms.empty() || !m_model.options.without.empty()) return ofSet(plan);
   return visibleTerms(m_equations, m_terms);

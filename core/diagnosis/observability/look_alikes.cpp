@@ -34,7 +34,7 @@ double differenceFromBent(const MatrixXd& gram, const VectorXd& right, double sq
 Trace::Trace(const Leftover& leftover, VectorXd visible)
     : m_visible(std::move(visible)), m_products(leftover, m_visible) {}
 
-/// Normal equations have half the digits, so a distance much shorter than the trace is computed directly.
+/// Normal equations lose half of the digits: a distance much shorter than the trace is computed directly.
 double Trace::differenceFrom(const Component& effect) const {
   constexpr double invisible = 1e-9, rounding = 1e-11,
                    near = 1e-3;  // σ; relative to the largest pivot; relative to the length

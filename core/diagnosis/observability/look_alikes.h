@@ -18,7 +18,7 @@ class Trace {
   /// Returns the distance to the nearest trace of an effect, σ of the readings. Two effects at a distance of
   /// d are confused with probability Φ(−d/2).
   double differenceFrom(const Component& effect) const;
-  /// Compares the trace with the nearest one of an effect.
+  /// Compares the trace with the nearest trace of an effect.
   LookAlike compared(const Component& effect) const;
 
  private:
@@ -26,8 +26,8 @@ class Trace {
   SharedProducts m_products;
 };
 
-/// Returns the distance from a trace of squared length `square` to the nearest one of a bent effect. `gram`
-/// belongs to its columns and second derivatives, `right` are their products with the trace.
+/// Returns the distance from a trace of squared length `square` to the nearest trace of a bent effect. `gram`
+/// belongs to the effect's columns and second derivatives, `right` are their products with the trace.
 double differenceFromBent(const Eigen::MatrixXd& gram, const Eigen::VectorXd& right, double square);
 
 }  // namespace alidade

@@ -14,9 +14,9 @@ using Eigen::Index, Eigen::MatrixXd, Eigen::VectorXd;
 constexpr double rounding = 1e-11;  // of a squared length; a remainder below it means a linearly dependent
                                     // column
 
-/// Eliminates the span of the first `count` columns from a Gram matrix, the best determined first. The
-/// rounding errors of linearly dependent columns are ignored; `whole` are the squared lengths for that
-/// decision.
+/// Eliminates the span of the first `count` columns from a Gram matrix, the best determined column first.
+/// `whole` are the squared lengths of the columns: a remainder that is small compared with them is a rounding
+/// error of a linearly dependent column and is ignored.
 void eliminateFirst(MatrixXd& gram, Index count, const VectorXd& whole) {
   std::vector<Index> remaining;
   for (Index i = 0; i < count; ++i) remaining.push_back(i);
@@ -46,8 +46,8 @@ struct Columns {
   bool areOfOneVisit(Index i, Index j) const { return reading(i).visit == reading(j).visit; }
 };
 
-/// Returns the equations of whole visits with the arc angles eliminated, for the readings from `begin` to
-/// before `end`.
+/// Returns the equations of whole visits after elimination of the arc angles, for the readings from `begin`
+/// to before `end`.
 void reduce(const Columns& columns, Index begin, Index end, RowMajorMatrix& rows) {
   rows.resize(end - begin, columns.count());
   for (Index i = begin; i < end; ++i) {
@@ -69,7 +69,7 @@ void reduce(const Columns& columns, Index begin, Index end, RowMajorMatrix& rows
   }
 }
 
-/// Returns the inner products of the columns with the arc angles eliminated, piece by piece.
+/// Returns the inner products of the columns after elimination of the arc angles, piece by piece.
 MatrixXd reducedGram(const Columns& columns) {
   constexpr Index pieceLength = 4096;
   MatrixXd gram = MatrixXd::Zero(columns.count(), columns.count());

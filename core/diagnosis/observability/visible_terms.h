@@ -11,9 +11,9 @@
 
 namespace alidade {
 
-// What readings show of every error term, in terms of inner products only. Normal equations add up. Each set
-// of readings has its own arc angles and unknowns, which are eliminated from its own equations. The error
-// terms are common to all sets.
+// The visible traces of all error terms, as inner products. Normal equations add up: each set of readings has
+// its own arc angles and unknowns, which are eliminated from its own equations. The error terms are common to
+// all sets.
 //
 // Source: elimination of nuisance parameters by the Schur complement of the normal matrix.
 struct VisibleTerms {
@@ -37,7 +37,7 @@ class VisibleTermsOfSet {
   std::vector<ErrorTerm> m_terms;
   std::vector<JumpMoment> m_moments;
   std::vector<Prior> m_priors;  ///< priors of the uncertain unknowns, common to all pieces
-  Eigen::MatrixXd m_gram;       ///< Gram matrix of these unknowns, terms and jumps, without arc angles
+  Eigen::MatrixXd m_gram;       ///< Gram matrix of uncertain unknowns, terms and jumps, without arc angles
 };
 
 /// Computes the visible terms of a set in one piece.
@@ -56,8 +56,8 @@ Eigen::MatrixXd combinationOf(const Effect& effect);
 double lengthOf(const VisibleTerms& terms, const Eigen::VectorXd& combination);
 
 /// Returns the distance from the trace of a combination of terms to the nearest linear trace of an effect, σ.
-/// `columns` are those of the effect, from `combinationOf`. For existing readings `Trace::differenceFrom`
-/// gives the same, second order included.
+/// `columns` are those of the effect, from `combinationOf`. For existing readings, `Trace::differenceFrom`
+/// gives the same distance, second order included.
 double linearDifferenceFrom(const VisibleTerms& terms, const Eigen::VectorXd& combination,
                             const Eigen::MatrixXd& columns, Response response);
 double linearDifferenceFrom(const VisibleTerms& terms, const Eigen::VectorXd& combination,

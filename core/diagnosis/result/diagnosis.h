@@ -14,13 +14,11 @@
 
 namespace alidade {
 
-// The verdict of a diagnosis.
-
 enum class DiagnosisVerdict {
   WithinNoise,     ///< nothing to explain
   SingleCause,     ///< one cause without look-alikes in these readings
   Ambiguous,       ///< one cause of a group that these readings cannot separate
-  SeveralCauses,   ///< all in `causes`, or more causes than these readings can separate
+  SeveralCauses,   ///< the causes in `causes`, or more causes than these readings can separate
   NotInCatalogue,  ///< the gap is real, and no effect or combination explains it
 };
 
@@ -30,7 +28,7 @@ std::string_view nameOf(DiagnosisVerdict verdict);
 /// The size of the gap after a fit. Without redundancy only rms is a number.
 struct GapSize {
   double rms = 0;  ///< rms residual of the circle readings, arcseconds
-  /// χ²/f with the stated noise, or with the estimated noise if that was found larger.
+  /// χ²/f with the stated noise, or with the estimated noise if it is larger.
   double reducedChiSquare = std::numeric_limits<double>::quiet_NaN();
   /// Probability of at least this χ² by noise alone.
   double pValue = std::numeric_limits<double>::quiet_NaN();
@@ -63,14 +61,14 @@ struct ReadingDeviation {
   double size = 0;
 };
 
-/// The known value of an effect's number, and the value of this number from these readings.
+/// The known value of a parameter of an effect, and its value from these readings.
 struct KnownCheck {
   std::string effect;      ///< identifier in the catalogue
-  std::string name, unit;  ///< of the number, as in the catalogue
+  std::string name, unit;  ///< of the parameter, as in the catalogue
   double known = 0, sigmaKnown = 0;
   std::string from, date;       ///< as stated in the session
   double value = 0, sigma = 0;  ///< from the readings alone, with the causes found; valid if `isSeen`
-  bool isSeen = false;          ///< whether the readings determine the number
+  bool isSeen = false;          ///< whether the readings determine the parameter
   double staleChance = 0;       ///< probability that the known value is out of date, 0…1
 };
 
@@ -79,7 +77,7 @@ struct Cause {
   double probability = 0;  ///< probability that the effect is among the causes, 0…1
   std::vector<CauseParameter> parameters;
   std::vector<std::string> indistinguishableFrom;  ///< identifiers
-  std::vector<ReadingDeviation> readings;          ///< the misread ones of a gross error
+  std::vector<ReadingDeviation> readings;          ///< the readings with a gross error
   bool isStale = false;                            ///< the known value is out of date: see `Diagnosis::known`
   /// Identifiers of further look-alikes, which only the known value excludes.
   std::vector<std::string> unlessStale = {};
@@ -102,8 +100,8 @@ struct GapShare {
 /// Δd, y up, mm.
 struct IntersectionEstimate {
   double value = 0, sigma = 0, expanded = 0;
-  /// Distribution of Δd, mm: one explanation of the readings, or all possible ones with their probabilities.
-  /// Each explanation follows Student's distribution about its mean.
+  /// Distribution of Δd, mm: one explanation of the readings, or all possible explanations with their
+  /// probabilities. Each explanation follows Student's distribution about its mean.
   std::vector<NormalPart> explanations = {};
   double degreesOfFreedom = 0;  ///< effective degrees of freedom of the explanations; may be infinite
 };
@@ -111,14 +109,14 @@ struct IntersectionEstimate {
 /// Returns the estimate of the session's own model.
 IntersectionEstimate estimateOf(const Intersection& intersection);
 
-/// The plausible or known size (1σ) of one number of an effect.
+/// The plausible or known size (1σ) of one parameter of an effect.
 struct PlausibleSize {
   std::string name;
   double sigma = 0;
   std::string unit;  ///< as in the catalogue
 };
 
-/// A contribution to the standard uncertainty of the measured Δd, assumed normally distributed.
+/// A contribution to the standard uncertainty of the measured Δd; its distribution is assumed to be normal.
 struct UncertaintyShare {
   enum class Type { A, B };  ///< statistical analysis of these readings, or other knowledge (JCGM 100, 3.3.4)
   enum class From { Scatter, Stated, Default, Known, Diagnosis };  ///< origin of its size
@@ -143,7 +141,7 @@ struct MeasuredIntersection {
   std::vector<UncertaintyShare> budget = {};  ///< the largest first; the squares sum to σ²
   /// Offset of the arc's centre from the axis, perpendicular to the plane of the arc; positive towards the
   /// observer at axis angle 0°. Readings (through the radii) or known sizes determine it, plausible sizes
-  /// never do. Absent if neither determines it.
+  /// never do. Absent if neither readings nor known sizes determine it.
   std::optional<MeasuredLength> across = {};
   std::optional<MeasuredLength> distance = {};  ///< total distance of the centre from the axis, `across`
                                                 ///< included
@@ -182,7 +180,7 @@ struct UndetectableJump {
                                 ///< readings
   double influence = 0;         ///< change of Δd by the plausible size, mm, ≥ 0
   /// The distribution of the change of Δd, mm: one part for each possible prior width of the jump. `share` is
-  /// the fraction of all sessions with such a jump, far below 1; σ is that of the change.
+  /// the fraction of all sessions with such a jump, far below 1; `sigma` is the σ of the change.
   std::vector<NormalPart> moves = {};
 };
 
@@ -195,20 +193,20 @@ struct Unexplained {
 /// A way to take more readings.
 enum class Measure {
   BothFaces,
-  WayBack,  ///< the visits repeated in reverse order, as another round
+  WayBack,  ///< repeats the visits in reverse order, as another round
   SliderReadings,
   ShiftedCircle,   ///< a second set with the horizontal circle shifted by 60°
   SecondStandOff,  ///< a second set from 1.5 times the distance
   MoreOfTheArc,
   ZeroSightedAgain,
-  DistanceInBoth,  ///< the distance measured in both positions
-  At0Again,        ///< the position at 0° repeated at the end, with its own pointing zero
+  DistanceInBoth,  ///< measures the distance in both positions
+  At0Again,        ///< repeats the position at 0° at the end, with its own pointing zero
   At180Again,
 };
 
-/// Further readings and what they would separate.
+/// Further readings, and the causes that they separate.
 struct Advice {
-  std::vector<Measure> measures = {};       ///< all of them in combination
+  std::vector<Measure> measures = {};       ///< to be taken in combination
   std::vector<std::string> separates = {};  ///< identifiers; any two of them are separated, whichever of the
                                             ///< two is the cause
   double bySigma = 0;                       ///< smallest difference of two of them, σ
@@ -222,10 +220,10 @@ bool isNewSessionNeeded(const std::vector<Measure>& measures);
 /// The effort of the measures, in sessions like this one.
 double effortOf(const std::vector<Measure>& measures);
 
-/// The size of an effect that would explain the difference of Δd from the reference.
+/// The size at which an effect explains the difference of Δd from the reference.
 struct Required {
   std::string effect;
-  double size = 0;  ///< for an effect of two numbers, the length of their vector
+  double size = 0;  ///< for an effect of two parameters, the length of their vector
   std::string unit;
   double plausibleSizes = 0;
   double visibleSigma = 0;  ///< length of its trace in these readings, σ
@@ -247,7 +245,7 @@ struct GapShape {
 struct Diagnosis {
   DiagnosisVerdict verdict = DiagnosisVerdict::WithinNoise;
   /// With SeveralCauses: all catalogue effects together explain the gap at least as well as any pattern, but
-  /// these readings cannot separate them. `causes` then holds the certain ones.
+  /// these readings cannot separate them. `causes` then holds the certain causes.
   bool hasMoreCausesThanSeparable = false;
   GapSize gap, after;
   Shrinkage shrink;

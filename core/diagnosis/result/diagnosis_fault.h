@@ -15,7 +15,7 @@ struct NoModel {
   std::optional<FitFinding> why = {};  ///< a finding of severity Error; absent without readings
 };
 
-/// An unknown identifier was to be excluded.
+/// The options exclude an unknown identifier.
 struct UnknownCause {
   std::string id;
 };

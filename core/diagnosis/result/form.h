@@ -18,9 +18,9 @@ namespace alidade {
 /// one number for each value of x.
 enum class FormFunction { Harmonic, Bump, Step, Hinge, Exponential, Power, Hysteresis, Walk, PerPlace };
 
-/// `S`: slider coordinate. `T`: elapsed fraction of the session, 0…1. `Azimuth`, `Elevation`: a and e. The
-/// circles: as read in either face. `Leg`: 1 on the way there, −1 on the way back. `Face`: 1 in face 1, −1 in
-/// face 2. `Position`: 1 at 0° and −1 at 180°. `Round`: its number.
+/// `S`: slider coordinate. `T`: elapsed fraction of the session, 0…1. `Azimuth`, `Elevation`: a and e.
+/// `HorizontalCircle`, `VerticalCircle`: readings in either face. `Leg`: 1 on the way there, −1 on the way
+/// back. `Face`: 1 in face 1, −1 in face 2. `Position`: 1 at 0° and −1 at 180°. `Round`: its number.
 enum class FormArgument {
   S,
   T,
@@ -75,7 +75,7 @@ struct FormLookAlike {
 struct FormShrinkage {
   double inSample = 0;
   /// On readings that were held out of the fit of circles, shape and amplitudes. Not a number if too few
-  /// exist; the same holds for `f` and `p`.
+  /// readings exist; the same holds for `f` and `p`.
   double heldOut = 0;
   /// Exact F test of the hypothesis that the form predicts nothing of the held-out readings: F, and the
   /// probability of at least this F by noise alone.
@@ -85,7 +85,7 @@ struct FormShrinkage {
 
 /// The value of a form at a sighting, mm or arcseconds; reduced to face 1 if the sign changes with the face.
 struct FormPoint {
-  std::size_t position = 0, row = 0;  ///< of the session
+  std::size_t position = 0, row = 0;  ///< indices in the session
   bool isVertical = false;            ///< for an orientation: values of the vertical circle
   double at = 0;                      ///< argument: degrees, share of the session, or ±1
   double before = 0, after = 0;       ///< partial residual without this form; residual with it

@@ -48,8 +48,8 @@ struct NextSighting {
   double ofUncertainty = 0;          ///< −ln(U after/U before)
   std::string one = {}, other = {};  ///< the two causes that it separates most; empty: no cause
 
-  /// The reduction of U counts a tenth. With a larger factor, sightings would be chosen for U, and causes
-  /// would stay unnamed for longer.
+  /// The reduction of U has the weight 0.1. With a larger weight, the choice favours sightings that reduce U,
+  /// and the causes are found later.
   double worth() const { return ofCauses + 0.1 * ofUncertainty; }
   double perMinute() const { return worth() / minutes; }
 };

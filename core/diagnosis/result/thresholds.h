@@ -22,8 +22,8 @@ struct DiagnosisThresholds {
   /// Influences on Δd below this limit, mm, are not reported: no tolerance of a guideway is that small.
   double negligibleInfluence = 1e-3;
   /// A larger probability of an unexplained gap leaves the verdict open. In 1000 simulated sessions, half of
-  /// them with an uncatalogued effect, 492 of the 508 `NotInCatalogue` exceed it. The other sessions are
-  /// unclear or depend on one reading; their U covers both cases.
+  /// them with an uncatalogued effect, 508 had the verdict `NotInCatalogue`; 492 of these exceed the limit.
+  /// The other 16 are unclear or depend on one reading; their U covers both cases.
   double mostUnexplained = 0.95;
 };
 

@@ -21,7 +21,7 @@ class ColumnTable {
   Eigen::Index count(std::size_t component) const { return first(component + 1) - first(component); }
   /// Squared length of every column.
   const Eigen::VectorXd& squares() const { return m_squares; }
-  /// Inner product of every column with the next one of its component.
+  /// Inner product of every column with the next column of its component.
   const Eigen::VectorXd& subdiagonal() const { return m_subdiagonal; }
   /// Gram matrix of a component's columns.
   Eigen::MatrixXd gram(std::size_t component) const;

@@ -7,7 +7,7 @@
 
 namespace alidade {
 
-/// Returns `base` with the parts of an explanation added, fitted again.
+/// Returns `base` plus the parts of an explanation and the prior of a pause (`addPause`), after a new fit.
 GapModel modelWith(const GapModel& base, const Explanation& explanation, const Candidates& candidates,
                    const Leftover& leftover);
 

@@ -97,7 +97,7 @@ void normalise(std::vector<Explanation>& sets) {
   std::ranges::sort(sets, std::greater{}, &Explanation::logPosteriorOdds);
 }
 
-/// Adds sets with larger noise to those with the stated noise, of which the first is empty.
+/// Adds sets with larger noise to `all`, which holds the sets with the stated noise, the empty set first.
 void addNoisy(std::vector<Explanation>& all, Search& search, const Leftover& leftover,
               const PriorOdds& odds) {
   const double f = leftover.degreesOfFreedom(), chiSquare = leftover.chiSquare();
@@ -111,8 +111,8 @@ void addNoisy(std::vector<Explanation>& all, Search& search, const Leftover& lef
   Explanation noiseAlone;
   noiseAlone.chiSquare = chiSquare;
   weigh(noiseAlone, scaleOf(chiSquare));
-  // Larger noise gains most with the empty set, since an explanation leaves a smaller χ². An explanation
-  // gains at most a further factor of the noise scale for each of its few weights.
+  // Larger noise gains most with the empty set, since an explanation leaves a smaller χ². For each of its few
+  // weights, an explanation gains at most a factor of the noise scale in addition.
   if (noiseAlone.logPosteriorOdds < all.front().logPosteriorOdds + std::log(outOfQuestion)) {
     all.push_back(std::move(noiseAlone));
     return;

@@ -31,7 +31,7 @@ struct Explanation {
   bool noisy = false;           ///< with noise larger than stated
   double noise = 1;             ///< most likely scale of the noise
   double logPosteriorOdds = 0;  ///< natural logarithm of prior odds × Bayes factor, against the empty set
-  double logBayesFactor = 0;    ///< the same without the prior odds
+  double logBayesFactor = 0;    ///< natural logarithm of the Bayes factor, against the empty set
   double chiSquare = 0;         ///< χ² after the explanation, with the stated σ
   double chance = 0;            ///< probability among the explanations found, 0…1
   bool shaped = false;          ///< contains a pattern without a named cause
@@ -53,7 +53,7 @@ struct SearchOptions {
   std::stop_token stop = {};        ///< on a stop request the search ends with its results so far
 };
 
-/// Returns the explanations, the best first. The empty set with and without larger noise is always included.
+/// Returns the explanations, the best first. They include the empty set for each kind of noise.
 std::vector<Explanation> explain(const Leftover& leftover, const Candidates& candidates,
                                  const SearchOptions& options = {});
 

@@ -161,8 +161,8 @@ Linearised around(const GapModel& base, const GapModel& withCauses) {
 
 constexpr double knownNoiseTo = 0.2;  // change of ln noise below which the search is not repeated
 
-/// Returns the scale of the noise if the model is closed and the noise almost certainly larger than stated;
-/// otherwise 1. Pointing zeros with stated σ then get a larger weight.
+/// Returns the scale of the noise if the model is closed and the noise is almost certainly larger than
+/// stated; otherwise 1. With a scale above 1, pointing zeros with stated σ get a larger weight.
 double knownNoise(const Inquiry& inquiry) {
   const bool isLarger = inquiry.base.options.isClosed && inquiry.explanations.front().noisy &&
                         inquiry.probabilityOf(noiseId) > thresholds.certain;
@@ -221,9 +221,9 @@ std::vector<LargeGrossError> largeGrossErrorsOf(const Inquiry& inquiry) {
   return found;
 }
 
-/// Returns the one or two readings without which the others agree a hundred times better. An error of many
-/// degrees spoils the whole fit, so the usual search close to that fit misses it. This search begins with a
-/// majority of the rows, and the model then starts from their circles.
+/// Returns one or two readings without which all other readings agree a hundred times better. An error of
+/// many degrees spoils the whole fit, and the usual search close to this fit misses the error. The search
+/// here begins with a majority of the rows; the model then starts from the circles that it found.
 std::vector<LargeGrossError> farOff(GapModel& own, const std::stop_token& stop) {
   constexpr double better = 100;
   constexpr std::size_t most = 2;

@@ -104,7 +104,7 @@ Search::ColumnProducts Search::productsGiven(const State& state, Index first, In
 std::vector<Search::State> Search::next(const std::vector<State>& level) {
   std::vector<Growth> growths;
   for (std::size_t i = 0; i < level.size() && !isStopped(); ++i) offer(level[i], i, growths);
-  // A set may result from several growths; the one from the best state counts.
+  // A set may result from several growths: the growth from the best state counts.
   std::vector<std::size_t> order(growths.size());
   std::iota(order.begin(), order.end(), std::size_t{0});
   std::ranges::sort(order, std::greater{}, [&](std::size_t i) { return growths[i].logPosteriorOdds; });
@@ -266,7 +266,7 @@ Search::State Search::with(const State& state, const Growth& growth, bool inAnyC
   if (!inAnyCase && !mayGrow(next)) return next;
 
   if (!m_products.contains(component)) m_products[component] = m_table.productsOf(component);
-  // As factors of P: the component's columns without the eliminated directions, and the new directions.
+  // Factors of P: `own` for the columns without eliminated directions, `added` for the new directions.
   const Index parts = state.taken.rows(), directions = state.taken.cols();
   MatrixXd own(parts + count, count);
   own << -state.taken * before.transpose(), MatrixXd::Identity(count, count);

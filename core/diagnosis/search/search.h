@@ -16,10 +16,10 @@ class Search {
  public:
   Search(const Leftover& leftover, const Candidates& candidates, const SearchOptions& options);
 
-  /// `variance` is that of the readings in units of the stated one. `logPosteriorOdds` and `logBayesFactor`
-  /// are relative to the empty set with the same noise. The first result is the empty set.
+  /// `variance` is the variance of the readings in units of the stated variance. `logPosteriorOdds` and
+  /// `logBayesFactor` are relative to the empty set with the same noise. The first result is the empty set.
   std::vector<Explanation> grown(double variance);
-  /// Returns the set of exactly these components, each added after the previous ones.
+  /// Returns the set of exactly these components, which are added in this order.
   Explanation madeOf(const std::vector<std::size_t>& components, double variance);
 
  private:
@@ -27,8 +27,8 @@ class Search {
   /// the columns of these components.
   struct State {
     Explanation found;
-    /// The products of all columns with the remaining leftover are those with the leftover, minus P `off`.
-    /// Empty, like `taken`, if the set does not grow.
+    /// The products of all columns with the remaining leftover equal their products with the leftover, minus
+    /// P `off`. Empty, like `taken`, if the set does not grow.
     Eigen::VectorXd off;
     /// P `taken` are the products of the eliminated directions with all columns: one column for each
     /// direction.
@@ -81,7 +81,7 @@ class Search {
   /// Gain of a component from the products of its columns.
   Gain gainFor(std::size_t component, const ColumnProductsView& own) const;
   State nothing() const;
-  /// With `inAnyCase` the new state can grow even if the search would not grow it.
+  /// With `inAnyCase` the new state can grow even if `mayGrow` returns false.
   State with(const State& state, const Growth& growth, bool inAnyCase = false);
   /// Marks a state whose last component can be neither evaluated nor eliminated.
   State makeImpossible(State state) const;
