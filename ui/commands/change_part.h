@@ -11,14 +11,14 @@
 
 namespace alidade::ui {
 
-/// A changed part as reported to the views and to the journal.
+/// The change of a part, for the views and for the journal.
 struct PartChange {
-  SessionChange forViews;  ///< to the views
-  Place place;             ///< in the journal
-  std::string from, to;    ///< in the journal
+  SessionChange forViews;  ///< the change as sent to the views
+  Place place;             ///< place in the journal entry
+  std::string from, to;    ///< texts in the journal entry
 };
 
-/// The change of the part at `place`, with the same place for views and journal.
+/// The change of the part at `place`; views and journal receive the same place.
 inline PartChange changeAt(const Place& place, std::string from, std::string to) {
   return {{.kind = SessionChange::Kind::Field, .place = place}, place, std::move(from), std::move(to)};
 }

@@ -12,8 +12,8 @@ namespace alidade::ui {
 
 class SessionDocument;
 
-/// Adds a position without readings. A missing position at 0° becomes the first, since it is read first. A
-/// position at 180° or a repeat becomes the last, since repeats are in the order read.
+/// Adds a position without readings. The first position at 0° is placed at the start, since it is measured
+/// first. A position at 180° or a repeat is placed at the end, since repeats follow the order of measurement.
 class AddPosition : public JournalledCommand {
  public:
   /// `axisDeg`: 0 or 180.
@@ -29,10 +29,10 @@ class AddPosition : public JournalledCommand {
   Position m_position;
 };
 
-/// True if the session has a position at `axisDeg`, 0 or 180. Invalid axis angles count for neither.
+/// True if the session has a position at `axisDeg`, 0 or 180. Ignores invalid axis angles.
 bool hasPosition(const Session& session, int axisDeg);
 
-/// True if no position has this axis angle, or if both angles have one, so that a repeat may follow.
+/// True if no position is at `axisDeg`, or if both 0° and 180° have a position, which allows a repeat.
 bool mayAddPosition(const Session& session, int axisDeg);
 
 /// The undo text for adding the position: "Add position at 0°", or "Measure 0° again" for a repeat.
@@ -41,7 +41,7 @@ QString addPositionText(const Session& session, int axisDeg);
 /// Adds the position; does nothing unless `mayAddPosition`.
 void addPosition(SessionDocument& document, int axisDeg);
 
-/// The number of typed sightings of a position: rows with an angle, and pointing zeros.
+/// The number of typed sightings of a position: rows and pointing zeros with a typed angle.
 std::size_t typedSightings(const Position& position);
 
 /// Removes a position with its pointing zero and all its readings.
@@ -56,10 +56,10 @@ class RemovePosition : public JournalledCommand {
 
   std::size_t m_index;
   Position m_position;
-  std::vector<JournalEntry> m_all;  ///< computed while the position exists
+  std::vector<JournalEntry> m_all;  ///< result of `allEntries`, computed while the position exists
 };
 
-/// Does nothing if there is no such position.
+/// Does nothing if the session has no position `index`.
 void removePosition(SessionDocument& document, std::size_t index);
 
 }  // namespace alidade::ui

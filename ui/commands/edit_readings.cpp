@@ -30,7 +30,7 @@ std::string pastedText(ReadingColumn column, const QString& cell, CircleUnit uni
   return isAngle(column) ? completedAngle(cell.toStdString(), unit) : cell.toStdString();
 }
 
-/// A new reading after the reading `last` (null: there is none); `count` readings precede the new one.
+/// A new reading after the reading `last` (null: no reading); `count` readings precede the new one.
 Reading readingAfter(const Reading* last, std::size_t count) {
   Reading reading;
   int point = static_cast<int>(count) + 1;

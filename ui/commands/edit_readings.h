@@ -15,8 +15,8 @@ namespace alidade::ui {
 
 class SessionDocument;
 
-/// The edits of the readings of one position, each a single undo step. Ignores rows beyond the readings
-/// unless stated otherwise; without a change there is no undo step.
+/// Edits the readings of one position; each edit is one undo step. Ignores rows beyond the readings unless
+/// stated otherwise. An edit that changes nothing adds no undo step.
 class ReadingsEditor {
   Q_DECLARE_TR_FUNCTIONS(ReadingsEditor)
 
@@ -24,8 +24,8 @@ class ReadingsEditor {
   ReadingsEditor(SessionDocument& document, std::size_t position)
       : m_document(document), m_position(position) {}
 
-  /// Sets the text of a cell. In the row after the last, appends a reading unless `typed` is empty. A bare
-  /// number in a column of angles gets the session's unit (`completedAngle`), also when pasted.
+  /// Sets the text of a cell. In the row after the last, appends a reading unless `typed` is empty. A typed
+  /// or pasted angle without a unit gets the session's unit (`completedAngle`).
   void setCell(const ReadingCell& cell, const std::string& typed);
   void insertBlank(std::size_t row);
   void remove(const std::vector<std::size_t>& rows);
@@ -34,14 +34,14 @@ class ReadingsEditor {
   void addReason(const std::vector<std::size_t>& rows, const std::string& reason);
   void clear(const std::vector<ReadingCell>& cells, bool cut = false);
 
-  /// Pastes `block` from `row` on; its columns go into `columns` in the same order. Appends rows beyond the
-  /// end, with point numbers if the block has none. Returns the number of block columns without a target.
+  /// Pastes `block` from `row` on, its columns into `columns` in the same order. Appends rows beyond the end,
+  /// with point numbers if the block has no points. Returns the number of block columns without a target.
   std::size_t paste(const ReadingBlock& block, std::size_t row, const std::vector<ReadingColumn>& columns);
 
   /// The noun for a cell of this column in undo texts and messages; empty for the residuals.
   static QString noun(ReadingColumn column);
 
-  /// Appends rows to be read (`furtherRows`).
+  /// Appends rows for further readings (`furtherRows`).
   void layOut(FurtherRows which);
 
  private:
@@ -52,13 +52,13 @@ class ReadingsEditor {
   std::size_t m_position;
 };
 
-/// Moves rows that were typed or imported at the wrong axis angle to the end of another position, in order,
-/// as one undo step. Ignores missing rows.
+/// Moves rows that were typed or imported at the wrong axis angle to the end of another position as
+/// one undo step; keeps their order. Ignores missing rows.
 void moveRows(SessionDocument& document, std::size_t from, const std::vector<std::size_t>& rows,
               std::size_t to);
 
-/// Types the texts of `changes` into their cells as one undo step. Ignores missing cells; without an
-/// effective change there is no undo step.
+/// Types the texts of `changes` into their cells as one undo step. Ignores missing cells; adds no undo step
+/// if nothing changes.
 void applyChanges(SessionDocument& document, const std::vector<CellChange>& changes, const QString& undoText);
 
 }  // namespace alidade::ui

@@ -8,8 +8,8 @@
 
 namespace alidade::ui {
 
-/// Enters in the journal why `count` entries from the index `first` on were made. A reason that is already in
-/// a file stays there after an undo.
+/// Enters in the journal why `count` entries from the index `first` on were made. Undo keeps a reason that is
+/// already saved in a file.
 class ExplainChange : public JournalledCommand {
  public:
   ExplainChange(SessionDocument& document, std::size_t first, std::size_t count, const std::string& reason);

@@ -9,7 +9,7 @@ namespace alidade::ui {
 
 class SessionDocument;
 
-/// Commits unfinished entries as their widgets would. Ignores texts whose entry the session lacks.
+/// Commits unfinished entries in the same way as their widgets. Ignores texts at places the session lacks.
 void handIn(SessionDocument& document, const std::vector<HalfTypedText>& texts);
 
 /// The session after committing these texts.

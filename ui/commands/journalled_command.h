@@ -28,8 +28,8 @@ class SessionCommand : public QUndoCommand {
   SessionDocument& m_document;
 };
 
-/// An edit of the session that enters the journal if it changes recorded entries. An edit undone before
-/// saving leaves no trace; if it is undone later, the journal lists the edit and its undo.
+/// An edit of the session that enters the journal if it changes recorded entries. Undo before saving removes
+/// the edit from the journal; after undo of a saved edit, the journal lists the edit and its undo.
 class JournalledCommand : public SessionCommand {
  public:
   void undo() final;
@@ -45,12 +45,12 @@ class JournalledCommand : public SessionCommand {
   /// Journal entries this edit would produce if all its values had been recorded.
   virtual std::vector<JournalEntry> allEntries() const = 0;
 
-  /// Each constructor must call this.
+  /// Every constructor of a derived class must call `setEntries`.
   void setEntries(std::vector<JournalEntry> entries) { m_entries = std::move(entries); }
 
  private:
   int m_index;                                     ///< index on the undo stack
-  std::vector<JournalEntry> m_entries;             ///< of the undone edit; else only the journal has them
+  std::vector<JournalEntry> m_entries;             ///< entries that `redo` moves into the journal
   std::size_t m_entered = 0, m_enteredByUndo = 0;  ///< numbers of entries added by the edit and by its undo
 };
 

@@ -11,7 +11,7 @@ namespace alidade::ui {
 
 class SessionDocument;
 
-/// Replaces the whole session by another. Undo restores the previous one.
+/// Replaces the whole session by another. Undo restores the previous session.
 class ReplaceSession : public SessionCommand {
  public:
   ReplaceSession(SessionDocument& document, Session session, const QString& text);
@@ -22,12 +22,12 @@ class ReplaceSession : public SessionCommand {
  private:
   void exchange();
 
-  Session m_other;  ///< the session that is not current
+  Session m_other;  ///< session that the next undo or redo makes current
   JournalKeeper::State m_otherState;
 };
 
-/// Replaces the current session by one with imported readings, keeping file and journal; the journal states
-/// the origin of the rows.
+/// Replaces the current session by a session with imported readings; keeps file and journal. The journal
+/// states the origin of the rows.
 class ImportReadings : public JournalledCommand {
  public:
   ImportReadings(SessionDocument& document, Session session, std::vector<JournalEntry> origins,
@@ -37,7 +37,7 @@ class ImportReadings : public JournalledCommand {
   void apply() override;
   std::vector<JournalEntry> allEntries() const override { return m_origins; }
 
-  Session m_other;  ///< the session that is not current; its journal is ignored
+  Session m_other;  ///< session that the next undo or redo makes current; its journal is ignored
   std::vector<JournalEntry> m_origins;
 };
 

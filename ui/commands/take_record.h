@@ -9,7 +9,7 @@ namespace alidade::ui {
 
 class SessionDocument;
 
-/// Copies a record into the session (`takeRecord`) as one undo step; without a change there is none. `file`:
+/// Copies a record into the session (`takeRecord`) as one undo step; adds no step if nothing changes. `file`:
 /// the record's name without folder. Returns a problem if the record belongs to another instrument.
 std::optional<Problem> takeRecord(SessionDocument& document, const InstrumentRecord& record,
                                   const std::string& file);

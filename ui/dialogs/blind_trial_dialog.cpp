@@ -178,7 +178,7 @@ void BlindTrialDialog::draw(int count) {
   showWork();
 }
 
-/// A trial without a result is reported and not listed.
+/// Adds the trial to the list. A trial without a result stops the draw; its problem is shown instead.
 void BlindTrialDialog::take(const SharedTrial& trial) {
   m_seed->setValue(m_seed->value() % m_seed->maximum() + 1);
   m_progress->setValue(m_progress->value() + 1);

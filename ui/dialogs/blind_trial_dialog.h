@@ -17,7 +17,7 @@ class StatementView;
 class TrialList;
 
 /// Runs blind trials: simulates a session from a plan and a sealed truth, and diagnoses the session. Opening
-/// the seal scores the diagnosis. A run of many trials opens each. Sealed trials stay in the list for later.
+/// the seal scores the diagnosis. A series of trials opens every seal. Sealed trials stay in the list.
 class BlindTrialDialog : public QDialog {
   Q_OBJECT
 

@@ -10,11 +10,11 @@ class QWidget;
 
 namespace alidade::ui {
 
-/// An operation the user waits for. Meanwhile the window paints and takes no input. After a moment a dialog
-/// shows the operation, with a stop button if it can be stopped.
+/// An operation the user waits for. During the operation, the window paints and takes no input. After 0.4 s a
+/// dialog shows the operation, with a stop button if the user can stop the operation.
 class Busy {
  public:
-  /// Writing a file always runs to its end.
+  /// `ToItsEnd`: the user cannot stop the operation, such as writing a file.
   enum class Way { Stoppable, ToItsEnd };
 
   Busy(QWidget* parent, const QString& doing, Way way = Way::Stoppable);
@@ -35,7 +35,7 @@ class Busy {
   QString m_doing;
   Way m_way;
   QElapsedTimer m_since, m_breath;
-  std::unique_ptr<QProgressDialog> m_dialog;  ///< null until the operation takes longer than a moment
+  std::unique_ptr<QProgressDialog> m_dialog;  ///< null until the operation has taken 0.4 s
 };
 
 }  // namespace alidade::ui

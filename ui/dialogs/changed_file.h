@@ -23,7 +23,7 @@ enum class ChangedFileAnswer { Cancel, Reload, SaveAs, Overwrite };
 ChangedFileAnswer askChangedFile(QWidget* parent, const ChangedFile& file);
 
 /// A list of the differences: place, and both texts under the titles `mine` and `theirs`. A last line counts
-/// the unlisted ones. The caller owns the widget.
+/// the unlisted differences. The caller owns the widget.
 QTreeWidget* createDifferenceTable(const SessionDifference& difference, const QString& mine,
                                    const QString& theirs);
 

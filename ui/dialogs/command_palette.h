@@ -13,14 +13,14 @@ class QMenuBar;
 namespace alidade::ui {
 
 /// Every command of the menus in one list, filtered by typing: "way ba" finds Edit › Add Rows › Way Back.
-/// Enter chooses the current one.
+/// Enter chooses the current command.
 class CommandPalette : public QDialog {
   Q_OBJECT
 
  public:
   CommandPalette(const QMenuBar& menus, QWidget* parent);
 
-  /// Lets the user choose a command; null: none was chosen.
+  /// Lets the user choose a command; null: cancelled.
   QAction* ask();
 
  protected:

@@ -39,8 +39,8 @@ class Dialogs {
   void setReadFiles(std::function<QStringList()> files) { m_readFiles = std::move(files); }
 
   virtual SaveAnswer askSaveChanges(const QString& name);
-  /// Asks whether undo or redo may discard the changes of another session. `name` is empty if it was never
-  /// saved.
+  /// Asks whether undo or redo may discard the changes of another session. `name` is empty if that session
+  /// was never saved.
   virtual bool askDiscardOther(const QString& name, Way way);
   /// Asks whether to delete the position called `name` with its typed sightings.
   virtual bool askDeletePosition(const QString& name, std::size_t sightings);

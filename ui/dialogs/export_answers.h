@@ -7,7 +7,7 @@
 
 namespace alidade::ui {
 
-// Each function computes an export of a session and returns the bytes of the file, or why there are none.
+// Each function computes an export of a session and returns the bytes of the file, or the problem.
 // `name` is the session's name in JSON documents. Like alidade-cli, the functions require every entry of the
 // session to be valid.
 

@@ -26,7 +26,7 @@ namespace alidade::ui {
 
 namespace {
 
-/// Adds the origins to the journal of a new session.
+/// Adds the journal entries on the origin of imported rows to a new session.
 void enterOrigins(Session& session, std::vector<JournalEntry> origins) {
   for (JournalEntry& entry : origins) {
     entry.at = timeInUtc();
@@ -35,7 +35,7 @@ void enterOrigins(Session& session, std::vector<JournalEntry> origins) {
   }
 }
 
-/// True if nothing unsaved would be lost, or the user agrees to lose it.
+/// True if no other session has unsaved changes (`path` is absent), or the user agrees to discard them.
 bool mayDrop(Dialogs& dialogs, const std::optional<QString>& path, Dialogs::Way way) {
   return !path || dialogs.askDiscardOther(QFileInfo(*path).fileName(), way);
 }
@@ -133,7 +133,7 @@ bool FileFlow::importFrom(const Result<std::vector<ImportSource>>& sources, cons
 }
 
 /// Reports a path that is not a regular file, and returns true. Reading a pipe or a device may never end and
-/// would block the window. For a missing file, opening or writing reports the problem.
+/// block the window. For a missing file, opening or writing reports the problem.
 bool FileFlow::isRefusedAsNonFile(const QString& title, const QString& path) {
   const QFileInfo file(path);
   if (!file.exists() || file.isFile()) return false;
@@ -255,7 +255,7 @@ void FileFlow::resolveChange() {
   if (answer == ChangedFileAnswer::Overwrite) write(m_document.path());
 }
 
-/// Asks what to do if another program changed the content; absent if not. Performs a chosen reload itself.
+/// Asks what to do if another program changed the file; absent if it did not. Performs a chosen reload.
 std::optional<ChangedFileAnswer> FileFlow::askAboutChange() {
   auto looked = inBackground<std::optional<FileContent>>(
       *m_dialogs.busy(tr("Checking “%1” for changes…").arg(visibleLine(m_document.displayName())),
@@ -327,12 +327,12 @@ bool FileFlow::mayLeaveChanges() {
   return false;
 }
 
-/// After undoing an import the session may equal its file while the imported session has unsaved entries.
+/// Asks about unsaved changes of a session to which redo leads, such as the session of an undone import.
 bool FileFlow::mayDropRedo() {
   return mayDrop(m_dialogs, m_document.unsavedAhead(), Dialogs::Way::Redo);
 }
 
-/// The session before an import, to which undo leads, may be unsaved although the imported one is saved.
+/// Asks about unsaved changes of a session to which undo leads, such as the session before an import.
 bool FileFlow::mayDropUndo() {
   return mayDrop(m_dialogs, m_document.unsavedBehind(), Dialogs::Way::Undo);
 }

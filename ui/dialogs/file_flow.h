@@ -18,14 +18,14 @@ namespace alidade::ui {
 class Dialogs;
 class SessionDocument;
 
-/// Starts, opens, imports, saves, exports and closes sessions, with the questions that this requires.
+/// Starts, opens, imports, saves, exports and closes sessions, and asks the user where necessary.
 class FileFlow : public QObject {
   Q_OBJECT
 
  public:
   FileFlow(SessionDocument& document, Dialogs& dialogs, QObject* parent = nullptr);
 
-  /// Each returns true on success, false if it failed (the user was told why) or was cancelled.
+  /// Each function returns true on success, false if it failed (the user was told why) or was cancelled.
   bool startNew();
   bool startNext();                        ///< with the lasting entries of this session (`nextSession`)
   bool startWith(const Session& session);  ///< `session` becomes a new, unsaved session
@@ -33,7 +33,7 @@ class FileFlow : public QObject {
   /// Opens a session, a report with an attached session, or a file of readings to import.
   bool open(const QString& path);
   bool importReadings();
-  /// Imports readings of instrument files or tables into the current session or a new one. Undo restores the
+  /// Imports readings of instrument files or tables into the current or a new session. Undo restores the
   /// previous session with its file.
   bool importReadings(const QStringList& paths);
   bool importClipboard();
@@ -41,7 +41,7 @@ class FileFlow : public QObject {
   bool saveAs();
   /// Restores the session from its file, as one undo step. False: no file or no changes, or restoring failed.
   bool revert();
-  /// Seals the session and saves it. False: it was not sealed, or not saved.
+  /// Seals the session and saves it. False: the session was not sealed, or not saved.
   bool seal();
   bool exportReport();
   bool exportCertificate();
@@ -53,8 +53,8 @@ class FileFlow : public QObject {
   void setLockFolder(const QString& folder);
   /// Stores a check of the uncertainty, for reports of its session.
   void setBudgetCheck(const SharedBudgetCheck& check) { m_reports.setBudgetCheck(check); }
-  /// Asks whether the session, and those that undo and redo lead to, may be left. Saves first if the user
-  /// agrees.
+  /// Asks whether the session, and the sessions to which undo and redo lead, may be left. Saves first if the
+  /// user agrees.
   bool mayLeave();
 
  signals:

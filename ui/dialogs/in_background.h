@@ -11,7 +11,7 @@
 namespace alidade::ui {
 
 /// The result of `work`, called with a `std::stop_token` on another thread while the window stays responsive.
-/// Absent: the user stopped it; the work is notified and its result dropped. `work` must own all its data.
+/// Absent: the user stopped `work`; the token reports the stop. `work` must own all its data.
 template <typename Value, typename Work>
 std::optional<Value> inBackground(Busy& busy, Work work) {
   const auto made = std::make_shared<std::optional<Value>>();

@@ -113,7 +113,7 @@ OwnEffect OwnEffectDialog::effect() const {
   return typed;
 }
 
-/// Checks the formula, then the other entries, then how clearly the readings would show the effect.
+/// Checks the formula, then the other entries, then how clearly the readings can show the effect.
 void OwnEffectDialog::check() {
   const std::string text = m_formula->toPlainText().toStdString();
   const Result<Formula, FormulaFault> formula = parseFormula(text);

@@ -24,7 +24,7 @@ class Dialogs;
 class OwnEffectCurve;
 
 /// Edits a user's own effect and checks each change. A fault of the formula is marked at its place; for a
-/// valid formula, the dialog states how clearly the session's readings would show the effect.
+/// valid formula, the dialog states how clearly the session's readings can show the effect.
 class OwnEffectDialog : public QDialog {
   Q_OBJECT
 

@@ -185,7 +185,7 @@ QWidget* PreferencesDialog::createReportPage() {
   return page;
 }
 
-/// False if an entry is unusable; then shows the first one.
+/// False if an entry is unusable; then shows the first unusable entry.
 bool PreferencesDialog::isUsable() {
   for (FieldBinding* binding : findChildren<FieldBinding*>()) {
     emit binding->commitWanted();

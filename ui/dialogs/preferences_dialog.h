@@ -17,8 +17,8 @@ class LogoForm;
 class PaperForm;
 
 /// The settings of this program on this machine: the window, what new sessions start with, and the report.
-/// Accepting keeps all of them and applies those that need no restart. If an entry is unusable, the dialog
-/// stays open and shows it.
+/// Accepting stores all settings and applies the settings that need no restart. If an entry is unusable, the
+/// dialog stays open and shows this entry.
 class PreferencesDialog : public QDialog {
   Q_OBJECT
 

@@ -79,7 +79,7 @@ void PrintPreview::showPage() {
   m_page->setText(tr("Page %1 of %2").arg(m_view->currentPage()).arg(m_view->pageCount()));
 }
 
-/// The view knows its largest page size only once it is shown.
+/// Fits the page now, since the view knows its size only once it is shown.
 void PrintPreview::showEvent(QShowEvent* event) {
   QDialog::showEvent(event);
   m_view->fitInView();

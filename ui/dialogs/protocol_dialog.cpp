@@ -25,7 +25,7 @@ namespace {
 
 const std::vector<std::vector<int>> faceChoices = {{1}, {2}, {1, 2}, {2, 1}, {1, 2, 2, 1}};
 const std::vector<std::vector<int>> axisChoices = {{0, 180}, {0}, {180}, {0, 180, 0}, {0, 180, 0, 180}};
-constexpr int changing = 5;  ///< index after the fixed faces: alternating from round to round
+constexpr int changing = 5;  ///< index after `faceChoices`: the face alternates from round to round
 
 QString placeText(const ProtocolPlace& place) {
   return qText(place.slider.empty() ? place.arc : place.slider).remove(u' ');
@@ -120,7 +120,7 @@ ProtocolDialog::ProtocolDialog(const SightingProtocol& protocol, CircleUnit unit
   check();
 }
 
-/// Restores the unfinished entries of a terminated program, and says so.
+/// Restores entries that were unfinished when the program was terminated, and tells the user.
 void ProtocolDialog::keepDraft() {
   m_draft = new FormDraft(QStringLiteral("protocol"), {}, this);
   m_draft->add(QStringLiteral("name"), *m_name);
@@ -154,7 +154,7 @@ void ProtocolDialog::show(const SightingProtocol& shown) {
   QStringList places;
   for (const ProtocolPlace& place : protocol.placesOf(first)) places.append(placeText(place));
   m_places->setText(places.join(u' '));
-  m_places->setCursorPosition(0);  // shows the first of many
+  m_places->setCursorPosition(0);  // shows the first places of a long text
   m_rounds->setValue(static_cast<int>(first.rounds.size()));
   m_way->setCurrentIndex(std::ranges::any_of(first.rounds, &ProtocolRound::isBack) ? 1 : 0);
   const std::vector<int>& faces = first.rounds.front().faces;

@@ -54,7 +54,7 @@ bool ProtocolFlow::save() {
   return true;
 }
 
-/// Edits the session's protocol, else one from its rows, else one of places there and back.
+/// Edits the session's protocol, else a protocol made from its rows, else the template "there-and-back".
 bool ProtocolFlow::edit() {
   emit commitWanted();
   const Session& session = m_document.session();

@@ -7,8 +7,8 @@ namespace alidade::ui {
 class Dialogs;
 class SessionDocument;
 
-/// Loads, saves and edits protocols. Each returns true on success, false if it failed (the user was told why)
-/// or was cancelled.
+/// Loads, saves and edits protocols. Each function returns true on success, false if it failed (the user was
+/// told why) or was cancelled.
 class ProtocolFlow : public QObject {
   Q_OBJECT
 

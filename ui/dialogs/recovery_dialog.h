@@ -11,7 +11,7 @@ class QStackedWidget;
 
 namespace alidade::ui {
 
-/// Unsaved changes that a window left behind.
+/// Unsaved changes of a crashed window.
 struct RecoveryOffer {
   QString name;     ///< name of the file; for an unsaved session its title or “Untitled”
   QString details;  ///< folder, time of the changes, state of the file

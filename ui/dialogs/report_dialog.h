@@ -17,7 +17,7 @@ namespace alidade::ui {
 class LogoForm;
 class PaperForm;
 
-/// Everything to know and decide before a report is written or printed.
+/// What the dialog before a report shows and asks.
 struct ReportQuestion {
   enum class Way { Export, Print, Preview };
 
@@ -25,8 +25,8 @@ struct ReportQuestion {
   ReportChoice choice = {};                ///< the last choice
   std::vector<ReportPart> there = {};      ///< parts available in this session's report
   std::vector<ReportPart> mandatory = {};  ///< parts that cannot be left out
-  QStringList emptyFields = {};            ///< fields a laboratory would state, empty in this session
-  bool isCertificate = false;              ///< asks for what only a certificate states
+  QStringList emptyFields = {};            ///< fields that a laboratory states but the session lacks
+  bool isCertificate = false;              ///< true: asks also for statements that only a certificate has
   int unusable = 0;                        ///< number of unusable entries; any of them prevents a verdict
 };
 

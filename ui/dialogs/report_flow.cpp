@@ -185,7 +185,7 @@ bool ReportFlow::certificateOf(const SharedGap& gap, const QString& suggestion) 
   const QString title = tr("Export calibration certificate");
   ReportOptions bare;
   bare.gap = gap;
-  // The dialog asks for country and place; these values only let the other missing statements be listed.
+  // The dialog asks for country and place. The assumed values serve only to list other missing statements.
   CertificateEntries assumed{.country = QStringLiteral("ZZ"), .performedAt = QStringLiteral("other")};
   assumed.isDraft = true;
   const auto lacking = ui::certificateOf(source(), bare, assumed);
@@ -303,7 +303,7 @@ SharedGap ReportFlow::inLanguage(const QString& language, const SharedGap& gap) 
   return m_translated.gap;
 }
 
-/// Diagnoses the current session, with sentences in `language`; null: the user stopped it.
+/// Diagnoses the current session, with sentences in `language`; null: the user stopped the diagnosis.
 SharedGap ReportFlow::diagnosed(const QString& language) const {
   const auto busy = m_dialogs.busy(tr("Fitting and diagnosing for the report…"));
   const auto gap =

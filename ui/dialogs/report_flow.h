@@ -15,15 +15,15 @@ namespace alidade::ui {
 class Dialogs;
 class SessionDocument;
 
-/// Makes the report of the current session as a PDF, on paper, or as a preview, after one question.
+/// Makes the report of the current session as a PDF, on paper or as a preview, after asking for its contents.
 class ReportFlow : public QObject {
   Q_OBJECT
 
  public:
   ReportFlow(SessionDocument& document, Dialogs& dialogs, QObject* parent = nullptr);
 
-  /// Each returns true on success, false if it failed (the user was told why) or was cancelled. `suggestion`
-  /// is the initial path.
+  /// Each function returns true on success, false if it failed (the user was told why) or was cancelled.
+  /// `suggestion` is the initial path.
   bool exportPdf(const QString& suggestion);
   /// The digital calibration certificate with the report attached; first lists the entries that the
   /// certificate will call not stated.
@@ -40,14 +40,14 @@ class ReportFlow : public QObject {
  private:
   bool guarded(const QString& title, const std::function<bool()>& work);
   SharedGap diagnosed(const QString& language = {}) const;
-  /// Returns `gap`, whose sentences are in the window's language; diagnoses again if `language` is another.
-  /// Null: the user stopped it.
+  /// Returns `gap` if `language` is the window's language, in which the sentences of `gap` are; otherwise
+  /// diagnoses again. Null: the user stopped the diagnosis.
   SharedGap inLanguage(const QString& language, const SharedGap& gap);
-  /// The user's choice for the report of `gap`, remembered; absent: cancelled. `lacks`: for a certificate,
-  /// the statements it will lack.
+  /// Asks for the user's choice for the report of `gap` and stores the choice; absent: cancelled. `lacks`:
+  /// the statements that a certificate will lack.
   std::optional<ReportChoice> ask(const Gap& gap, ReportQuestion::Way way,
                                   const std::optional<QStringList>& lacks = {});
-  /// Options for a report of `gap`, with the logo; absent: the logo is unusable, which was reported.
+  /// Options for a report of `gap`, with the logo; absent: the logo is unusable and the user was told.
   std::optional<ReportOptions> optionsFor(const SharedGap& gap, const ReportChoice& choice);
   bool exportOf(const SharedGap& gap, const QString& suggestion);
   bool certificateOf(const SharedGap& gap, const QString& suggestion);
@@ -57,8 +57,8 @@ class ReportFlow : public QObject {
   SessionDocument& m_document;
   Dialogs& m_dialogs;
   ReportSource source() const;
-  /// The history of the session's device from a folder of sessions; null: no session of the device, or the
-  /// user stopped it.
+  /// The history of the session's device from a folder of sessions; null: the folder has no session of the
+  /// device, or the user stopped the search.
   std::shared_ptr<const DeviceHistory> historyIn(const QString& folder);
 
   SharedBudgetCheck m_check;

@@ -31,7 +31,7 @@ Result<std::string> bytesOf(const QString& path) {
   return readFile(encodedPath(path));
 }
 
-/// The session that a record is compared with: its file, or a new session if it has none.
+/// The session with which a recovery record is compared: the record's file, or a new session without a file.
 struct ComparedFile {
   Session session = templateSession();
   QString state;  ///< place of the file and whether the file has changed
@@ -54,7 +54,7 @@ ComparedFile comparedFile(const RecoveryRecord& record) {
               : inPlace(Safekeeping::tr("which has changed since Alidade last read or saved it"))};
 }
 
-/// The unfinished entries of the record's session when it was last kept.
+/// The unfinished entries that were stored for the record; `path`: file of the unfinished entries.
 std::vector<HalfTypedText> typedInto(const RecoveryRecord& record, const QString& path) {
   if (record.id.isEmpty() || !QFileInfo::exists(path)) return {};
   const Result<std::string> bytes = bytesOf(path);
@@ -156,8 +156,8 @@ std::vector<Safekeeping::Left> Safekeeping::leftBehind() {
   return left;
 }
 
-/// Restores the changes as unsaved changes of the current file; undo returns to the file. The window takes
-/// over the record, so that a record exists at every moment.
+/// Restores the changes as unsaved changes of their file; undo returns to the file's content. The window
+/// takes over the record, so that a record exists at every moment.
 bool Safekeeping::recover(Left& left) {
   if (!m_files.mayLeave()) return false;
   const QString& path = left.record.path;

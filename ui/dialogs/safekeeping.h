@@ -16,8 +16,8 @@ class Dialogs;
 class FileFlow;
 class SessionDocument;
 
-/// Keeps unsaved changes of the current session in a folder, and offers those of crashed windows. Also keeps
-/// typing in forms outside the session, for the lifetime of this object.
+/// Keeps unsaved changes of the current session in a folder, and offers unsaved changes of crashed windows.
+/// Also keeps unfinished entries of forms outside the session, for the lifetime of this object.
 class Safekeeping : public QObject {
   Q_OBJECT
 
@@ -33,7 +33,7 @@ class Safekeeping : public QObject {
   void keepNow();
   /// Removes the record, because the window closes normally.
   void finish() { m_keeper.finish(); }
-  /// A label for the status bar, which owns it; shown with the reason while unsaved changes cannot be kept.
+  /// A label owned by the status bar. While unsaved changes cannot be kept, it is visible and says why.
   QLabel* trouble() const { return m_trouble; }
   QString recordPath() const { return m_keeper.path(); }
 

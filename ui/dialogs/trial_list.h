@@ -12,21 +12,21 @@ namespace alidade::ui {
 
 class DataTable;
 
-/// A list of all trials, newest first, with the truth of opened trials; above it, the score of the opened
-/// trials. The current row's trial is the one to show.
+/// A list of all trials, newest first, with the truth of opened trials. The score of the opened trials is
+/// above the list. The dialog shows the trial of the current row.
 class TrialList : public QWidget {
   Q_OBJECT
 
  public:
   explicit TrialList(QWidget* parent = nullptr);
 
-  /// Adds a trial. It becomes current unless the user chose another since the draw began. Once the user
-  /// chooses the newest trial of a series, new ones become current again.
+  /// Adds a trial. It becomes current unless the user chose another since the draw began. After the user
+  /// chooses the newest trial of a series, new trials become current again.
   void add(const SharedTrial& trial);
   void openSeal(const SharedTrial& trial);
   bool isOpen(const SharedTrial& trial) const;
-  /// Clears the current row; each new trial becomes current until the user chooses one. Trials of a series
-  /// are open.
+  /// Clears the current row; each new trial becomes current until the user chooses a trial. `isSeries`: new
+  /// trials are opened at once.
   void beginDraw(bool isSeries);
   void clearChoice();  ///< no row is current afterwards
 

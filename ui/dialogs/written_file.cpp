@@ -32,7 +32,7 @@ std::optional<QString> writeForSession(const SessionDocument& document, Dialogs&
                                        const QString& title, const QString& name, const QString& suffix,
                                        const std::string& bytes) {
   QString fileName = name.simplified();
-  static const QRegularExpression refused(QStringLiteral("[/\\\\:*?\"<>|]"));  // by some file systems
+  static const QRegularExpression refused(QStringLiteral("[/\\\\:*?\"<>|]"));  // in some file systems
   fileName.replace(refused, QStringLiteral("-"));
   return writeToChosenPath(dialogs, title, QDir(folderOf(document)).filePath(fileName + u'.' + suffix),
                            suffix, bytes);

@@ -10,8 +10,8 @@ namespace alidade::ui {
 class Dialogs;
 class SessionDocument;
 
-/// Asks for a path, starting with `suggested`, and writes `bytes` there. Refuses files read for the window
-/// and those in `inputs`. Returns the path; absent if cancelled or failed, which is reported.
+/// Asks for a path, starting with `suggested`, and writes `bytes` to this path. Refuses files read for the
+/// window and files in `inputs`. Reports a failure. Returns the path; absent if cancelled or failed.
 std::optional<QString> writeToChosenPath(Dialogs& dialogs, const QString& title, const QString& suggested,
                                          const QString& suffix, const std::string& bytes,
                                          const QStringList& inputs = {});

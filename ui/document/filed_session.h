@@ -15,7 +15,7 @@ namespace alidade::ui {
 /// A session as read from a file.
 struct FiledSession {
   Session session;
-  QByteArray sha256;  ///< of the file's bytes
+  QByteArray sha256;  ///< SHA-256 of the file's bytes
 };
 
 /// The hash of a file, and its session or the reason why the file is not a session.

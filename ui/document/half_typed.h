@@ -11,10 +11,10 @@ namespace alidade::ui {
 
 /// A typed text that is not committed yet.
 struct HalfTypedText {
-  /// A field, a cell of a row (the row after the last is a new one), or a text of a known size.
+  /// A field, a cell of a row (the row after the last is a new row), or a text of a known size.
   Place place;
-  /// Ids of a catalogued number without a known size; `place.field` is then "value", "sigma" or "from". Empty
-  /// otherwise.
+  /// Ids of effect and parameter if the text is for a catalogued number that has no known size yet; then
+  /// `place.field` is "value", "sigma" or "from". Empty otherwise.
   std::string effect = {}, parameter = {};
   std::string text = {};  ///< the text to be committed
 

@@ -45,7 +45,7 @@ class PatchEntries {
   }
 
  private:
-  /// Only a sealed session records an added or removed empty row, which changes the numbers of later rows.
+  /// An empty row is recorded only in a sealed session, since adding or removing it renumbers later rows.
   bool isRowRecorded(const Reading& row, std::size_t index) const {
     const auto isTyped = [&](const RowField& field) { return field.text && !(row.*field.text).empty(); };
     if (std::ranges::none_of(rowFields, isTyped)) return m_isRecorded(asAdded, ReadingColumn::Used);
@@ -72,7 +72,7 @@ class PatchEntries {
   const char* m_why;
   const IsRecorded& m_isRecorded;
   std::size_t m_count = 0;              ///< number of entries, including those not stored
-  std::vector<JournalEntry> m_entries;  ///< the first `mostEntries` of them
+  std::vector<JournalEntry> m_entries;  ///< the first `mostEntries` entries
 };
 
 }  // namespace

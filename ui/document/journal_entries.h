@@ -20,8 +20,8 @@ inline constexpr std::size_t asAdded = std::numeric_limits<std::size_t>::max();
 using IsRecorded = std::function<bool(std::size_t row, ReadingColumn column)>;
 
 /// The journal entries for a patch of one position's rows: first cells, then removed rows, then added rows.
-/// Time, operator and hash are empty. More than a thousand entries are replaced by one with their count,
-/// since each changed row keeps its first texts itself.
+/// Time, operator and hash are empty. More than a thousand entries are replaced by one entry with
+/// their number, since each changed row keeps its first texts itself.
 std::vector<JournalEntry> entriesOf(const Session& session, std::size_t position, const ReadingsPatch& patch,
                                     const char* why, const IsRecorded& isRecorded);
 

@@ -10,7 +10,7 @@
 namespace alidade::ui {
 
 /// Writes the journal of the current session. An edit of recorded entries adds journal entries. Undo removes
-/// those that no file contains; for those in a file it adds reverse entries.
+/// journal entries that are not saved in a file yet; for saved journal entries, undo adds reverse entries.
 class JournalKeeper {
  public:
   explicit JournalKeeper(Session& session) : m_session(session) {}
@@ -23,9 +23,9 @@ class JournalKeeper {
   };
   static State stateOf(const Session& session, bool isNew);
 
-  /// The session was replaced by another; `isNew`: it is unsaved and still being filled in.
+  /// Called after another session became current. `isNew`: that session is unsaved and still being filled in.
   void restart(bool isNew);
-  /// The session was replaced by another with this state; `state` receives the previous session's state.
+  /// Called after the session with the state `state` became current; `state` receives the previous state.
   void exchange(State& state);
   /// Records that the session, with all commands up to `undoIndex`, was saved in a file.
   void setFiled(int undoIndex);
@@ -34,7 +34,7 @@ class JournalKeeper {
   /// True if the file includes the command at `undoIndex`.
   bool isFiled(int undoIndex) const { return undoIndex < m_state.filedIndex; }
 
-  /// Returns the journal entries of an edit about to be made. Marks in `patch` which first texts rows keep.
+  /// Returns the journal entries of an edit about to be made. Marks in `patch` the first texts to be kept.
   std::vector<JournalEntry> judge(std::size_t position, ReadingsPatch& patch, const char* why);
   std::vector<JournalEntry> judge(const Place& field, const std::string& from, const std::string& to);
   /// The journal entries of an edit of this field if `from` had been recorded.

@@ -49,13 +49,13 @@ struct KnownRow {
   const Effect* effect = nullptr;              ///< null: number unknown to the catalogue
   const EffectParameter* parameter = nullptr;  ///< null if `effect` is null
   std::optional<KnownRef> entry = {};          ///< absent: no known size, so the default applies
-  bool isFurther = false;                      ///< an entry above is for the same number
+  bool isFurther = false;                      ///< true: an earlier row is for the same number
 
   bool operator==(const KnownRow&) const = default;
 };
 
-/// A row for every catalogued number that can have a known size, with its first entry in either list,
-/// followed by rows for further entries. Entries of unknown numbers come last.
+/// A row for every catalogued number that can have a known size, with the number's first entry if any. Rows
+/// for further entries of the number follow. Entries of unknown numbers come last.
 std::vector<KnownRow> knownRows(const Session& session);
 
 }  // namespace alidade::ui

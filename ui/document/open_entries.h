@@ -11,8 +11,8 @@
 
 namespace alidade::ui {
 
-/// Entries that are still open, so that retyping them is not a recorded change. Filled cells of one row, or
-/// one text of a pointing zero, stay open until another entry is made; form fields, until the next save.
+/// Open entries: retyping an open entry is not a recorded change. Filled cells of one row, or one text of a
+/// pointing zero, stay open until another entry is made. Form fields stay open until the next save.
 class OpenEntries {
  public:
   /// Closes all entries; called when the session was saved or comes from a file.

@@ -49,7 +49,7 @@ std::span<const ReadingColumnInfo> allReadingColumns();
 
 const ReadingColumnInfo& infoOf(ReadingColumn column);
 
-/// The text a column edits; null for columns without one (used, residuals).
+/// The text of a row that the column edits; null for columns without a text (`Used`, residuals).
 std::string Reading::*readingText(ReadingColumn column);
 
 /// The column of a row's field by its name in the session file; `Horizontal` if no column has the name.

@@ -11,7 +11,7 @@
 
 namespace alidade::ui {
 
-/// A cell of the table of one position; `row` may be the one after the last reading, to append a reading.
+/// A cell of the table of one position; `row` may be the row after the last, to append a reading.
 struct ReadingCell {
   std::size_t row = 0;
   ReadingColumn column = ReadingColumn::Horizontal;
@@ -59,19 +59,19 @@ class ReadingsPatch {
   static ReadingsPatch removing(const std::vector<Reading>& rows, const std::vector<std::size_t>& gone);
 
   bool isEmpty() const { return m_cells.empty() && m_gone.empty() && m_new.empty(); }
-  RowSpan span() const;  ///< rows changed by `apply`; for `revert`, exchange before and after
+  RowSpan span() const;  ///< rows that `apply` changes; `revert` changes `after` back to `before`
   std::size_t cellCount() const { return m_cells.size(); }
   std::size_t rowCount() const { return m_gone.size() + m_new.size(); }  ///< number of removed and added rows
 
-  const std::vector<Cell>& cells() const { return m_cells; }  ///< of rows that the edit keeps
+  const std::vector<Cell>& cells() const { return m_cells; }  ///< cells in rows that the edit keeps
   const std::vector<Row>& gone() const { return m_gone; }     ///< ascending by row number before the edit
   const std::vector<Reading>& added() const { return m_new; }
   std::size_t addedFirst() const { return m_newFirst; }  ///< row number of the first of `added`
   /// The only changed or added row; absent if there are several, or if a row is removed.
   std::optional<std::size_t> onlyRow() const;
 
-  /// Marks which first texts `apply` keeps or drops: it keeps a recorded cell's text at the first change, and
-  /// drops the kept text when the cell regains it. Call before `apply`, with the same rows.
+  /// Marks the first texts that `apply` keeps or drops. The first change of a recorded cell keeps its text; a
+  /// change back to this text drops the kept text. Call before `apply`, with the same rows.
   void keepFirstTexts(const std::vector<Reading>& rows,
                       const std::function<bool(std::size_t row, ReadingColumn column)>& isRecorded);
 

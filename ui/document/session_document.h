@@ -37,7 +37,7 @@ class SessionDocument : public QObject {
   QUndoStack& undoStack() { return m_undoStack; }  ///< for inspection, undo and redo
   HalfTyped& halfTyped() { return m_halfTyped; }
   const HalfTyped& halfTyped() const { return m_halfTyped; }
-  /// Empty for a session never saved.
+  /// Empty if the session was never saved.
   QString path() const { return m_files.path(m_undoStack.index()); }
   /// The files of all sessions that undo and redo lead to.
   QStringList paths() const { return m_files.paths(); }
@@ -81,7 +81,7 @@ class SessionDocument : public QObject {
   void startFrom(FiledSession file, const QString& path);
   /// Saves completely, or returns the problem and leaves the old file.
   [[nodiscard]] std::optional<Problem> save(const QString& path);
-  /// SHA-256 of the bytes last read from or written to `path()`; empty if there were none.
+  /// SHA-256 of the bytes last read from or written to `path()`; empty if the file was never read or written.
   QByteArray knownSha256() const { return m_knownSha256.value(path()); }
   /// Records that the current session equals the file at `path`, whose bytes have this SHA-256.
   void markSaved(const QString& path, const QByteArray& sha256);
@@ -89,7 +89,7 @@ class SessionDocument : public QObject {
  signals:
   void aboutToChange(const alidade::ui::SessionChange& change);
   void changed(const alidade::ui::SessionChange& change);
-  void identityChanged();  ///< path or modified state
+  void identityChanged();  ///< path or modified state changed
   void chosenSightingChanged();
   /// An edit, not its undo or redo, added the journal entries from the index `first` on.
   void recorded(std::size_t first);

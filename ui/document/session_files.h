@@ -16,18 +16,18 @@ class SessionFiles {
   void restart(const QString& path);
   /// Called before the commands from `index` on are dropped from the stack.
   void dropFrom(int index);
-  /// The next command, at `index`, replaces the present session by another. The user agreed to leave the
-  /// present one as it is.
+  /// Called before the command at `index` replaces the present session by another, after the user agreed to
+  /// leave unsaved changes of the present session unsaved.
   void beginAnother(int index);
   /// Records that the session at `index` was saved in `path`. If another session had this file, that session
-  /// loses it, as the user agreed.
+  /// then has no file, as the user agreed.
   void setSaved(int index, const QString& path);
 
-  QStringList paths() const;                                         ///< of all sessions with a file
+  QStringList paths() const;                                         ///< paths of all sessions with a file
   QString path(int index) const { return m_files[at(index)].path; }  ///< empty: never saved
   bool isModified(int index) const { return m_files[at(index)].savedAt != index; }
-  /// The path of a session to which redo leads from `index` and which differs from its file; absent if no
-  /// session does. `count`: the number of commands on the stack.
+  /// The path of a session with unsaved changes to which redo leads from `index`; absent if redo leads to no
+  /// unsaved changes. `count`: the number of commands on the stack.
   std::optional<QString> unsavedAhead(int index, int count) const;
   /// Like `unsavedAhead`, for sessions to which undo leads, except those that the user left unsaved.
   std::optional<QString> unsavedBehind(int index, int count) const;

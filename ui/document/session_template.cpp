@@ -12,7 +12,7 @@ namespace {
 
 const QString templateKey = QStringLiteral("newSession");
 
-/// The content of a new session if none is kept: a blank session with the usual protocol.
+/// The content of a new session if no template is stored: a blank session with the usual protocol.
 Session usualTemplate() {
   Session session = blankSession();
   session.protocol = protocolText(usualProtocol());

@@ -4,9 +4,9 @@
 
 namespace alidade::ui {
 
-/// The content of a new session: as kept on this machine, else blank with the usual protocol.
+/// The content of a new session: the template stored on this machine, else blank with the usual protocol.
 Session templateSession();
-/// Keeps the entries of `session` for new sessions.
+/// Stores `session` as the template of new sessions.
 void keepTemplate(const Session& session);
 
 }  // namespace alidade::ui

@@ -9,14 +9,14 @@
 
 namespace alidade::ui {
 
-/// The name of the session attached to a report: that of its file, with the suffix `.alidade`.
+/// The name of the session attached to a report: the name of its file, with the suffix `.alidade`.
 QString attachedName(const QString& fileName);
 
 /// True if the file begins like a PDF; false also if it cannot be read.
 bool isPdfFile(const QString& path);
 
-/// The text of the session attached to a PDF: its first file with the suffix of a session. Otherwise a
-/// problem with the reason.
+/// The text of the session attached to a PDF, which is the first attached file with the suffix of a session;
+/// a problem if no such file can be read.
 Result<std::string> attachedSessionText(std::string_view pdf);
 
 /// The session attached to the report in `path`. May be called on any thread.

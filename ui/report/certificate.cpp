@@ -24,7 +24,7 @@ CertificateLanguage languageOf(const QString& id) {
           }};
 }
 
-/// English is the binding language.
+/// English, which is the binding language, then the report's language if it is another.
 std::vector<CertificateLanguage> languagesOf(const ReportOptions& report) {
   const QString english = QStringLiteral("en");
   const QString other = report.language.isEmpty() ? shownLanguage() : report.language;

@@ -15,7 +15,7 @@ struct CertificateEntries {
   QString country = {};       ///< country of the laboratory, ISO 3166-1
   QString performedAt = {};   ///< "laboratory", "customer", …
   QString manufacturer = {};  ///< manufacturer of the device
-  bool isDraft = false;       ///< true: made although required entries are missing
+  bool isDraft = false;       ///< true: required entries may be missing
 
   bool operator==(const CertificateEntries&) const = default;
 };

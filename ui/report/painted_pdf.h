@@ -10,7 +10,7 @@ class QPagedPaintDevice;
 
 namespace alidade::ui {
 
-/// The PDF/A-1b that Qt writes of what `paint` draws, for `archivedPdf`. Absent if `paint` reports failure.
+/// What `paint` draws, as a PDF/A-1b written by Qt for `archivedPdf`. Absent if `paint` returns false.
 std::optional<std::string> paintedPdf(const ReportPaper& paper,
                                       const std::function<bool(QPagedPaintDevice& device)>& paint);
 

@@ -97,7 +97,7 @@ Outcome handFile(std::string_view pdf, std::string_view ending, int pipe, std::s
   }
 }
 
-constexpr int firstCode = 32;  // first exit code of an outcome; no program ends with such a code by itself
+constexpr int firstCode = 32;  // exit code of the first outcome, above the usual exit codes
 
 int codeOf(Outcome outcome) {
   return firstCode + static_cast<int>(outcome);

@@ -13,7 +13,7 @@ struct AttachedFile {
     NotThere,    ///< no attached file has this ending
     Missing,     ///< listed, but without contents
     TooLarge,    ///< larger than the limit
-    Damaged,     ///< its contents end early or are corrupt
+    Damaged,     ///< the file's contents end early or are corrupt
     Exhausting,  ///< the document exceeds the limit of memory or time
     Unreadable,  ///< the document itself is damaged; `failure` says how
   };
@@ -22,7 +22,7 @@ struct AttachedFile {
   std::string failure = {};
 };
 
-/// Limits for any document, since a few bytes may expand to very many.
+/// Limits for reading a document, since a few compressed bytes may expand to very many.
 struct PdfLimits {
   std::size_t mostBytes;  ///< bytes of the attached file
   std::size_t mostMemory = std::size_t{512}
@@ -30,7 +30,7 @@ struct PdfLimits {
 };
 
 /// The first file attached to `pdf` whose name has this ending, ignoring ASCII case. A separate process reads
-/// the document and ends if it exceeds the limits or crashes. Throws only `std::bad_alloc`.
+/// the document, so a crash or an excess of memory ends only that process. Throws only `std::bad_alloc`.
 AttachedFile attachedFile(std::string_view pdf, std::string_view ending, const PdfLimits& limits);
 
 }  // namespace alidade::ui

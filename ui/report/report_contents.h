@@ -40,7 +40,7 @@ struct ReportContents {
   bool operator==(const ReportContents&) const = default;
 };
 
-/// True if there is something to print in this part.
+/// True if the part has contents.
 bool isThere(ReportPart part, const Gap& gap);
 
 /// True if the report must include the part: the gap is mandatory if model and readings disagree.

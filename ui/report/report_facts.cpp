@@ -21,7 +21,7 @@ QString given(const std::string& text, const QString& unit = {}) {
   return value.isEmpty() ? value : value + unit;
 }
 
-/// A value, and whether the session states it; else the value is the default.
+/// A value, and whether the session states the value; if not, the value is the default.
 struct Provenance {
   QString value;
   bool isStated;

@@ -10,7 +10,7 @@ namespace alidade::ui {
 
 namespace {
 
-constexpr QSize most(1400, 350);  // 600 dots per inch on the sheet
+constexpr QSize most(1400, 350);  // pixels, for 600 dots per inch on the sheet
 
 Problem refused(const QString& text) {
   return Problem{text.toStdString()};

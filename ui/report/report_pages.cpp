@@ -27,14 +27,14 @@ double ReportPages::carriedHeight() const {
   return last.carried ? last.carried->height : 0;
 }
 
-/// The lower end of the last page if it began at this break.
+/// The lower end of the last page, mm, if the page began at this break.
 double ReportPages::pulledHeight(const Break& at) const {
   const Page &last = m_pages.back(), &before = m_pages[m_pages.size() - 2];
   return (at.head ? at.head->height : 0) + before.end - at.y + last.end - carriedHeight() +
          (last.beginsWithSection ? sectionGap : 0);
 }
 
-/// The latest break that fills the last page enough, preferably before a section; null if there is none.
+/// The latest break that fills the last page enough, preferably before a section; null if no break does.
 const ReportPages::Break* ReportPages::bestBreak(double least, double height) const {
   const Page& before = m_pages[m_pages.size() - 2];
   const double mostOfSection = 0.7 * height, leastLeft = height / 4;

@@ -13,7 +13,7 @@ namespace alidade::ui {
 class ReportPages {
  public:
   using Drawing = std::function<void(QPainter&)>;
-  /// A drawing, and the distance by which it is moved down from where it was drawn.
+  /// A drawing, and the distance in mm by which the drawing is moved down when it is painted.
   struct Placed {
     Drawing drawing;
     double lower = 0;
@@ -44,15 +44,15 @@ class ReportPages {
   /// Adds a page. The drawings of the previous page end at `end`.
   void add(double end);
   void draw(Drawing drawing) { m_pages.back().drawings.push_back({std::move(drawing)}); }
-  /// Allows a page break at `y` of the last page, with `head` if inside a table.
+  /// Allows a page break at `y` of the last page. `head`: the head of the table around the break; null: none.
   void mayBreak(double y, Before before, SharedHead head = {});
   Mark mark(double y) const { return {m_pages.back().drawings.size(), y}; }
   /// The head made of the last page's drawings since `mark`; `y`: lower end of the head.
   SharedHead headSince(const Mark& mark, double y) const;
-  /// Starts the last page with the head of a continued table.
+  /// Records that the last page begins with `head`, already drawn, of a continued table.
   void beginsWith(SharedHead head) { m_pages.back().carried = std::move(head); }
-  /// Called after all drawing, with the last page drawn down to `y`. If `y` < `least`, moves the drawings
-  /// after an allowed break of the previous page to the last page, if they fit into `height`.
+  /// Called after all drawing; `y`: lower end of the last page. If `y` < `least`, moves the drawings after an
+  /// allowed break of the previous page to the last page; the break is chosen so that all fit into `height`.
   void balance(double y, double least, double height);
 
  private:

@@ -11,7 +11,7 @@
 namespace alidade::ui {
 namespace {
 
-/// Legend entries for the rings, faces and rounds that occur.
+/// Sentences of the caption on the rings, faces and rounds that occur.
 template <typename Drawn>
 QStringList markSentences(const std::vector<Drawn>& drawn, const RowKinds& kinds) {
   const bool isRinged =
@@ -103,7 +103,7 @@ double roomAbove(ReportSheet& sheet, const QString& caption) {
 
 void addPlots(ReportSheet& sheet, const Gap& gap, bool hasArcs, bool hasResiduals) {
   if (!hasArcs && !hasResiduals) return;
-  const double lacking = 252 - sheet.height();  // mm less than on A4
+  const double lacking = 252 - sheet.height();  // mm by which the text area is lower than on A4
   const double arcsHeight = 126 - 0.6 * lacking, residualsHeight = 86 - 0.4 * lacking;
   constexpr double aroundPlot = 25;  // heading and caption
   if (hasArcs && hasResiduals)

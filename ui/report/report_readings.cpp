@@ -36,7 +36,7 @@ QStringList numbersIn(const QString& angle) {
   return numbers;
 }
 
-/// The angle in the session's unit. The typed text is above it if its numbers differ.
+/// The angle in the session's unit. A typed text with other numbers is shown on a line above.
 QString angleCell(const std::string& typed, CircleUnit unit) {
   const QString text = shortLine(qText(typed).trimmed(), longestCell);
   const QString normal = shortLine(shownAngle(typed, unit).trimmed(), longestCell);
@@ -87,7 +87,7 @@ QString remark(const Reading& reading, bool unusable) {
   return unusable ? Report::tr("unusable") : QString();
 }
 
-/// Compensator tilts and corrections, if the row has them.
+/// Compensator tilts and corrections of the row; empty if the row has neither.
 QStringList ofCompensator(const Reading& reading) {
   QStringList parts;
   const auto add = [&parts](const QString& says, const std::string& text) {
@@ -100,7 +100,7 @@ QStringList ofCompensator(const Reading& reading) {
   return parts;
 }
 
-/// Time, return code and instrument of a sighting that came from an instrument; empty if typed.
+/// Time, return code and instrument of a sighting received from an instrument; empty for a typed sighting.
 QStringList ofArrival(const std::string& takenAt, const std::string& code, const std::string& serial) {
   QStringList parts;
   const auto add = [&parts](const QString& says, const std::string& text) {
@@ -119,7 +119,7 @@ QString zeroArrival(const ZeroSighting& zero) {
   return parts.isEmpty() ? QString() : QStringLiteral(" (%1)").arg(listText(parts));
 }
 
-/// The note, the compensator data, the data received with the reading, and its text before a change.
+/// The note, the compensator data, the data received with the reading, and the first texts of changed cells.
 QString remarks(const Reading& reading) {
   QStringList parts;
   if (const QString note = visibleLine(qText(reading.note).trimmed()); !note.isEmpty()) parts.append(note);

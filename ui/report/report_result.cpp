@@ -29,7 +29,7 @@ QString problemText(const Session& session, const Problem& problem) {
   return Report::tr("%1: %2").arg(place, qText(problem.what));
 }
 
-/// Refers to the findings, so that a verdict is never read without them.
+/// The number of findings with a reference, so that no verdict is read without its findings; empty: none.
 QString findingsLine(const Gap& gap) {
   const std::vector<Finding> findings = findingsOf(*gap.evaluation);
   const auto serious =
@@ -56,7 +56,7 @@ class VerdictFrame {
                          }
                        }});
   }
-  /// Adds both texts on one line, the second at the right, or one below the other if they do not fit.
+  /// Adds both texts on one line, the second at the right, or the second below the first if they do not fit.
   void addOnOneLine(const QString& first, const QString& second, const TextStyle& style) {
     constexpr double apart = 6;
     if (first.isEmpty() ||

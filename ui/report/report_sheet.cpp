@@ -15,9 +15,9 @@ namespace alidade::ui {
 namespace {
 
 constexpr double headerTop = -9;  // mm above the text area
-constexpr double footerGap = 3;   // mm below it
+constexpr double footerGap = 3;   // mm below the text area
 
-/// Characters laid out at once: some twenty lines.
+/// Number of characters laid out at once, about twenty lines.
 constexpr qsizetype longestPiece = 2000;
 
 /// The number of lines kept together at the start of a paragraph of `count` lines.
@@ -68,7 +68,7 @@ QStringList ReportSheet::lines(const QString& text, const TextStyle& style, doub
 }
 
 /// Works piece by piece, since layout time grows with the square of the text's length. The last line of a
-/// piece may change with the following text, so the next piece begins with it.
+/// piece may change with the following text. The next piece therefore begins with that line.
 void ReportSheet::breakInto(QStringList& lines, const QString& text, const TextStyle& style,
                             double available) const {
   const QString kept = unbroken(text);
@@ -156,7 +156,7 @@ void ReportSheet::outline(const QRectF& area, double thickness, const QColor& co
 }
 
 void ReportSheet::heading(const QString& text) {
-  keepTogether(20);  // never alone at the foot of a page
+  keepTogether(20);  // no heading is alone at the foot of a page
   if (m_y > 0) skip(ReportPages::sectionGap);
   m_pages.mayBreak(m_y, ReportPages::Before::Section);
   this->text(text, type::heading, 0, m_y, width);

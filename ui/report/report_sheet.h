@@ -28,14 +28,14 @@ struct ReportFrame {
 
 class ReportSheet;
 
-/// Lays out a document and paints it on the device, with this head and foot on every page. Returns false if
-/// painting failed or was stopped.
+/// Lays out a document and paints it on the device, with `frame` on every page. Returns false if painting
+/// failed or was stopped.
 bool paintSheets(QPagedPaintDevice& device, const ReportFrame& frame, const QMarginsF& margins,
                  const std::function<void(ReportSheet&)>& layOut);
 
 /// A report laid out from top to bottom, page after page, and painted at the end, when the number of pages is
 /// known. Lengths in mm; the origin is the top left corner of the text area. The text area has a fixed width:
-/// narrower paper prints everything smaller, wider paper centres it.
+/// on narrower paper everything is printed smaller, on wider paper the text area is centred.
 class ReportSheet {
  public:
   using Drawing = ReportPages::Drawing;
@@ -51,7 +51,7 @@ class ReportSheet {
   int pageCount() const { return static_cast<int>(m_pages.count()); }
 
   void newPage();
-  /// Allows a page break here if it prevents a nearly empty last page.
+  /// Allows a page break at the cursor, to be used only against a nearly empty last page.
   void mayBreak(ReportPages::SharedHead head = {}) {
     m_pages.mayBreak(m_y, ReportPages::Before::Text, std::move(head));
   }
@@ -62,11 +62,11 @@ class ReportSheet {
     drawHead();
     return m_pages.headSince(mark, m_y);
   }
-  /// Starts this page with the head.
+  /// Records that this page begins with the head, already drawn.
   void beginsWith(ReportPages::SharedHead head) { m_pages.beginsWith(std::move(head)); }
-  /// Starts a new page if less than `needed` mm are left on this one.
+  /// Starts a new page if less than `needed` mm are left on this page.
   void keepTogether(double needed);
-  /// Starts a new page if this paragraph would. Call it before drawing at the left of the paragraph.
+  /// Starts a new page if the first lines of the paragraph do not fit. Call before drawing at their left.
   void keepStart(const QString& text, const TextStyle& style, double indent = 0);
   void skip(double distance) { m_y += distance; }
 
@@ -74,7 +74,7 @@ class ReportSheet {
   QStringList lines(const QString& text, const TextStyle& style, double available) const;
   double lineHeight(const TextStyle& style) const;
   double textWidth(const QString& text, const TextStyle& style) const;
-  /// One line no wider than `available`, shortened if too long.
+  /// `text` on one line; an ellipsis shortens a text wider than `available`.
   QString elided(const QString& text, const TextStyle& style, double available,
                  Qt::TextElideMode mode = Qt::ElideRight) const;
 
@@ -86,25 +86,25 @@ class ReportSheet {
             const QColor& colour = Qt::black);
   void fill(const QRectF& area, const QColor& colour);
   void outline(const QRectF& area, double thickness, const QColor& colour = Qt::black);
-  /// Draws anything else: the painter's origin is the corner of the text area, in device units.
+  /// Adds a drawing in device units; the painter's origin is the top left corner of the text area.
   void draw(Drawing drawing);
   QRectF inDeviceUnits(const QRectF& millimetres) const;
 
-  /// Draws at the cursor and advances it, over page ends if needed. A paragraph never leaves a single line at
-  /// the foot or head of a page.
+  /// Draws at the cursor and advances the cursor, over page ends if needed. A paragraph never leaves a single
+  /// line at the foot or head of a page.
   void heading(const QString& text);
   void paragraph(const QString& text, const TextStyle& style = type::body, double indent = 0);
 
-  /// Called after all layout: fills the last page to at least a fifth, if preceding contents can be split so.
+  /// Called after all layout: fills at least a fifth of the last page if a break of the page before permits.
   void balance() { m_pages.balance(m_y, m_height / 5, m_height); }
   /// The lower end of the last page, after `balance`.
   double lastEnd() const { return m_pages.lastEnd(); }
-  /// Paints all pages. Returns false if it was stopped.
+  /// Paints all pages. Returns false if `watch` stopped the painting.
   bool paint(QPainter& painter);
 
   /// `watch` is called often with the share of the work done; returning false stops the work.
   void setWatch(std::function<bool(double done)> watch) { m_watch = std::move(watch); }
-  /// Called during long layout with the share laid out. False: stop laying out.
+  /// To be called during long layout, with the share of the present table done. False: the layout must stop.
   bool goesOn(double laidOut) const { return !m_watch || m_watch(laidOut / 2); }
 
  private:
@@ -116,7 +116,7 @@ class ReportSheet {
 
   QPagedPaintDevice& m_device;
   ReportFrame m_frame;
-  double m_scale = 1;  // below 1: printed smaller
+  double m_scale = 1;  // printed size as a share of the nominal size; below 1 on narrow paper
   double m_unit;       // device units per millimetre in print
   double m_height;
   QPointF m_origin;  // origin of the text area, in device units

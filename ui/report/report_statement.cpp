@@ -17,7 +17,7 @@ bool isLeft(Role role) {
   return role != Role::Figure;
 }
 
-/// The indent in mm of left-aligned text, which keeps it apart from a right-aligned figure before it.
+/// The indent in mm that keeps left-aligned text apart from a right-aligned figure before the text.
 double indentOf(Role role) {
   return isLeft(role) && role != Role::Name ? 2.5 : 0;
 }
@@ -27,7 +27,7 @@ QString cellText(const Statement::Row& row, std::size_t column) {
   return column == 0 && row.isPart ? QStringLiteral("    ") + text : text;
 }
 
-/// The width in mm that a column needs for its cells and its title, or for the title's longest word.
+/// The width in mm that a column needs for its cells and its whole title, or the title's longest word.
 double neededWidth(const ReportSheet& sheet, const Statement& statement, std::size_t column,
                    bool isTitleWhole) {
   constexpr double gap = 2;
@@ -53,9 +53,9 @@ std::vector<double> neededWidths(const ReportSheet& sheet, const Statement& stat
   return widths;
 }
 
-/// Figures and words get the width they need. Names get 62 mm, or less if they need less in a table with a
-/// bar or many columns. A remark or bar gets the rest; without one, the first name may get more. Texts get no
-/// width, since they are below the rows. The widest names and words are cut until all fit.
+/// Figures and words get the width they need. Names get 62 mm; in a table with a bar or many columns, at most
+/// 62 mm. A remark or bar gets the rest; without remark and bar, the first name may get more. Texts get no
+/// width, since they are below the rows. The widest columns of names and words are narrowed until all fit.
 std::vector<double> widthsOf(const ReportSheet& sheet, const Statement& statement) {
   constexpr double mostName = 62, leastFigure = 20, fewColumns = 6, mostRemark = 40, leastText = 12;
   const bool hasBar =

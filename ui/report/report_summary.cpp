@@ -147,7 +147,7 @@ QString methodText(const Evaluation& evaluation) {
 
 constexpr double signatureSpace = 7, signatureHeight = signatureSpace + 5;
 
-/// The text below a signature line; `named` if the session states the name.
+/// The text below a signature line: `named` with `name`, or `unnamed` if `name` is empty.
 QString signatureText(const QString& unnamed, const QString& named, const std::string& name) {
   constexpr int longest = 36;
   const QString who = shortLine(qText(name).trimmed(), longest);

@@ -6,7 +6,7 @@
 
 namespace alidade::ui {
 
-/// Parts for which the front page may lack room. True: the front page has the part, or no page prints it.
+/// Parts for which the front page may lack room. True: the front page has the part, or the part is left out.
 struct FrontPage {
   bool hasMethod = false, isSigned = false;
 };
@@ -15,7 +15,7 @@ struct FrontPage {
 /// signatures if there is room. Empty fields are left out.
 FrontPage addSummary(ReportSheet& sheet, const Gap& gap, const ReportOptions& options);
 
-/// Adds the method if less than half a page is left and the method fits there. False: it was not added.
+/// Adds the method to a page that is more than half full if the method fits. False: the method was not added.
 bool addMethodInTheRest(ReportSheet& sheet, const Evaluation& evaluation);
 
 /// The signature lines, with the names that the session states.

@@ -33,7 +33,7 @@ class ReportTable {
   /// `note`, if any, follows in small type across the columns below the row, indented by the width of the
   /// first column, at most 12 mm.
   void row(const std::vector<ReportCell>& cells, const QString& note = {});
-  /// Draws a line under the last row; the cursor moves below it.
+  /// Draws a line under the last row and moves the cursor below the line.
   void finish();
 
  private:

@@ -40,7 +40,7 @@ QString measurandText(const Gap& gap) {
   return Report::sentences(sentences);
 }
 
-/// A sentence on what is accepted and what rejected.
+/// A sentence on what is accepted and what is rejected.
 QString acceptanceRule(const Gap& gap, const QString& tolerance) {
   if (isOfDistance(gap))
     return Report::tr(
@@ -57,7 +57,7 @@ QString acceptanceRule(const Gap& gap, const QString& tolerance) {
       .arg(tolerance);
 }
 
-/// A sentence on the guard band, with the risk of a verdict if known.
+/// A sentence on the guard band, with the risk of a wrong verdict if the risk can be computed.
 QString guardBand(const Gap& gap, double tolerance, double coverage) {
   const QString share = plainNumberText(100 * coverage);
   const MeasuredIntersection* measured = gap.measured();
@@ -72,7 +72,7 @@ QString guardBand(const Gap& gap, double tolerance, double coverage) {
       .arg(share, numberText(100 * *risk, 1));
 }
 
-/// Empty if no verdict is possible: without a tolerance, a result or a sufficient coverage.
+/// Empty if no verdict is possible, because tolerance, result or a sufficient coverage is missing.
 QString ruleText(const Gap& gap) {
   const Evaluation& evaluation = *gap.evaluation;
   const auto& measurement = evaluation.examined.measurement;
@@ -139,7 +139,7 @@ QStringList knownSizes(const Measurement& measurement) {
   return sizes;
 }
 
-/// The protocol that was chosen for the session, and where it was not followed; empty without one.
+/// The protocol chosen for the session, and the deviations from the protocol; empty without a protocol.
 QString protocolText(const Session& session) {
   const auto protocol = protocolOf(session);
   if (!protocol || !*protocol || (*protocol)->isYielding) return {};

@@ -26,7 +26,7 @@ DrawnSighting drawnSighting(const Measurement& measurement, const ArcMeasurement
           .adjusted = {}};
 }
 
-/// The fitted arc of one axis over the angles of all its residuals, unwrapped around their mean direction.
+/// The fitted arc of one axis over the arc angles of all its sightings, unwrapped around the mean angle.
 /// `first`: the first arc of this axis; all arcs of an axis share one circle.
 DrawnArc drawnArc(const SessionFit& fit, const ArcFit& first) {
   double sumCos = 0, sumSin = 0;
@@ -58,7 +58,7 @@ PlanePoint<double> residualInPlane(const ZeroLine& line, const PlanePoint<double
   return {sighted.x - from.x, sighted.y - from.y};
 }
 
-/// Adds the adjusted targets and the residuals to the sightings of one position, which start at `first`.
+/// Adds the adjusted targets and the residuals to the sightings of one position, from index `first` on.
 void addAdjusted(ArcPicture& picture, std::size_t first, const Measurement& measurement,
                  const ArcMeasurement& arc, const ArcFit& fit) {
   std::size_t next = first;
@@ -82,7 +82,7 @@ double pickExaggeration(const ArcPicture& picture) {
   return std::clamp(roundDown125(largestShareOfRadius * radius / largest), 1.0, largestExaggeration);
 }
 
-/// A session with only the excluded rows of `session`, here not excluded. `rows`: their numbers by position.
+/// A session with only the excluded rows of `session`, marked as used. `rows` receives their row numbers.
 Session excludedAlone(const Session& session, std::vector<std::vector<std::size_t>>& rows) {
   Session alone;
   alone.instrument = session.instrument;

@@ -20,7 +20,7 @@ struct DrawnSighting {
   int point = 0, round = 1, face = 1;
   PlanePoint<double> sighted;                  ///< intersection of the line of sight with the arc plane
   std::optional<PlanePoint<double>> adjusted;  ///< the adjusted target on the arc; absent without a fit
-  /// The residual, from the point of the adjusted angles, estimated effects included, to the point sighted.
+  /// The residual, mm: from the point of the adjusted angles, with estimated effects, to `sighted`.
   PlanePoint<double> residual{};
 };
 
@@ -67,7 +67,7 @@ struct ArcPicture {
   RowKinds kinds;                       ///< rounds and faces of all sightings
   std::optional<DrawnIntersection> intersection;
   double exaggeration =
-      1;  ///< factor of the residuals: 1, 2, 5, 10, …; the largest is at most 16 % of the radius
+      1;  ///< factor 1, 2, 5, 10, … by which residuals are enlarged, to at most 16 % of the radius
 
   bool isEmpty() const { return arcs.empty() && sightings.empty() && excluded.empty(); }
   /// The end of a sighting's exaggerated residual, mm in o0.

@@ -32,7 +32,7 @@ std::size_t kindOf(const DrawnSighting& sighting) {
 QList<QPointF> polyline(const DrawnArc& arc, double sagitta) {
   const double step = std::sqrt(8 * sagitta / arc.circle.radius);
   const double wanted = std::ceil((arc.lastAngle - arc.firstAngle) / step);
-  const int steps = wanted > 60 ? static_cast<int>(std::min(wanted, 20000.0)) : 60;  // also for NaN
+  const int steps = wanted > 60 ? static_cast<int>(std::min(wanted, 20000.0)) : 60;  // 60 also for NaN
   QList<QPointF> points;
   for (int i = 0; i <= steps; ++i) {
     const double angle = arc.firstAngle + (arc.lastAngle - arc.firstAngle) * i / steps;
@@ -95,7 +95,7 @@ void ArcPlot::showArcs() {
       m_arcs[i][piece]->replace(pieces[i].value(static_cast<qsizetype>(piece)));
 }
 
-/// The shift of a mark along the arc, in scene units; it separates rounds and faces of one place.
+/// The shift of a mark along the arc, in scene units, which separates rounds and faces of one place.
 QPointF ArcPlot::shiftOf(const DrawnSighting& sighting) const {
   const double shift = m_slots.shift(sighting.round, sighting.face) * style().unit();
   if (shift == 0) return {};
@@ -215,7 +215,7 @@ double ArcPlot::cornerOfSideView() const {
 }
 
 /// Places the side view below the inset, which gives up part of its square. Returns false and changes nothing
-/// if there is too little room, or the inset would lose its headline.
+/// if the plot is zoomed, the room is too small, or the headline of the inset no longer fits.
 bool ArcPlot::placeSideViewBelowInset() {
   constexpr double leastInset = 12, shareOfInset = 0.52;  // `leastInset` in lines of text
   const QRectF inset = m_inset->boundingRect();

@@ -136,7 +136,7 @@ void CentresInset::paintBare(QPainter* painter) const {
                     QStringLiteral("O1, O2"));
 }
 
-/// Paints the tolerance band. If its limits are outside the picture, it fills everything below the titles.
+/// Paints the tolerance band, which fills everything below the titles if its limits are outside the picture.
 void CentresInset::paintTolerance(QPainter* painter) const {
   const double tolerance = m_intersection->tolerance.value_or(0) * m_scale;
   if (tolerance <= 0) return;
@@ -155,7 +155,7 @@ void CentresInset::paintTolerance(QPainter* painter) const {
   const QString name = InsetText::tr("tolerance");
   if (tolerance < 2.2 * metrics.height() || m_square.width() < 2.5 * metrics.horizontalAdvance(name)) return;
   painter->setPen(m_style.mutedText);
-  // The name is on the side opposite to the name of O2.
+  // The name of the band is on the side opposite to the name of O2.
   const bool leftSide = place(m_intersection->lowerCentre).x() >= m_picture.center().x();
   const double margin = 0.4 * metrics.height();
   const double left =
@@ -173,7 +173,7 @@ void CentresInset::paintAxis(QPainter* painter) const {
   painter->drawText(name.topLeft() + QPointF(0, QFontMetricsF(m_style.font).ascent()), InsetText::tr("axis"));
 }
 
-/// The name of the axis is left out where it would overlap the name of a centre.
+/// Empty if the name of the axis overlaps the name of a centre.
 QRectF CentresInset::axisNameRect() const {
   if (m_isCompact || m_scale <= 0) return {};
   const QFontMetricsF metrics(m_style.font);
@@ -215,7 +215,7 @@ void CentresInset::paintEllipses(QPainter* painter) const {
   draw(m_intersection->lowerCentre, m_intersection->lowerEllipse, QPen(m_style.lower, width, Qt::DashLine));
 }
 
-/// The closure is hidden if O2's own marker would cover it.
+/// Paints no closure if the marker of O2 covers the closure.
 void CentresInset::paintClosure(QPainter* painter) const {
   const QPointF wanted = place(m_intersection->closedCentre()), is = place(m_intersection->lowerCentre);
   const double unit = m_style.unit(), away = is.x() - wanted.x();
@@ -255,7 +255,7 @@ QRectF CentresInset::lowerNameRect() const {
   return nameRect(m_intersection->lowerCentre, m_intersection->lowerEllipse, lowerName);
 }
 
-/// A name is on the outer side of its centre, since Δx is on the inner side, and beside a moderate ellipse.
+/// The name is on the outer side of its centre, since Δx is on the inner side; it avoids small ellipses.
 QRectF CentresInset::nameRect(const PlanePoint<double>& centre, const DrawnEllipse& ellipse,
                               const QString& name) const {
   const QFontMetricsF metrics(m_style.font);
@@ -318,7 +318,7 @@ double CentresInset::titleRoom() const {
   return m_square.width() - 0.8 * QFontMetricsF(m_style.font).height();
 }
 
-/// The text in the largest type that fits, at most `most` pixels, or shortened. All lines are equally high.
+/// The text in the largest type that fits, at most `most` pixels; else shortened. All lines are equally high.
 CentresInset::TitleLine CentresInset::largeLine(const QString& text, int most) const {
   QFont font = m_style.font;
   font.setBold(true);
@@ -333,8 +333,8 @@ CentresInset::TitleLine CentresInset::largeLine(const QString& text, int most) c
           m_headline.isProvisional ? m_style.mutedText : m_style.text, height};
 }
 
-/// The headline in two lines if these fit in large type, otherwise a line for each of its parts. Empty if a
-/// figure does not fit.
+/// The headline in two lines if both fit in large type; otherwise each part of the headline has a line. Empty
+/// if a figure does not fit.
 QList<CentresInset::TitleLine> CentresInset::headlineLines(bool isMarked) const {
   if (m_headline.name.empty()) return {};
   const auto isLarge = [&](const TitleLine& line) {

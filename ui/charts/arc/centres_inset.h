@@ -13,8 +13,8 @@ namespace alidade::ui {
 
 /// The headline in large type, and below it the two arc centres, enlarged: O1 and O2 with their coverage
 /// ellipses, the axis midway between them, the tolerance band, and Δd with its expanded uncertainty from the
-/// axis to O1. A plus marks O2 at closure, and a dotted line leads from it to O2. One scale in x and y, shown
-/// by a bar in mm.
+/// axis to O1. A plus marks O2 at closure, and a dotted line leads from the plus to O2. x and y have the same
+/// scale, shown by a bar in mm.
 class CentresInset : public QGraphicsItem {
  public:
   using QGraphicsItem::QGraphicsItem;
@@ -30,7 +30,7 @@ class CentresInset : public QGraphicsItem {
   /// Converts from mm in o0 to the parent's units.
   QPointF place(const PlanePoint<double>& point) const;
 
-  /// The places of the names of O1 and O2, valid while these are drawn, and of the axis; empty without room.
+  /// The places of the names: O1 and O2, valid while drawn; the axis, empty if the name has no room.
   QRectF upperNameRect() const;
   QRectF lowerNameRect() const;
   QRectF axisNameRect() const;
@@ -41,7 +41,7 @@ class CentresInset : public QGraphicsItem {
     QString text;
     QFont font;
     QColor colour;
-    double height = QFontMetricsF(font).height();  ///< height of the line
+    double height = QFontMetricsF(font).height();
   };
   /// The lines that fit, from the top: the headline in large type, then the subject of the picture in small
   /// type. Empty for a small picture.
@@ -57,7 +57,7 @@ class CentresInset : public QGraphicsItem {
   TitleLine largeLine(const QString& text, int most = largest) const;
   double titlesHeight() const;
   double titleRoom() const;
-  /// The limits of the picture: text is above and below it.
+  /// The area of the picture; text is above and below this area.
   QRectF frame() const;
   QRectF nameRect(const PlanePoint<double>& centre, const DrawnEllipse& ellipse, const QString& name) const;
   void paintBare(QPainter* painter) const;  // in a small square: one plus for both centres

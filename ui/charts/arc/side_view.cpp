@@ -58,7 +58,7 @@ double SideView::line() const {
   return QFontMetricsF(m_style.font).height();
 }
 
-/// Sets a scale that shows both centres with U, and the tolerance up to three times the extent of these.
+/// Sets a scale that shows both centres with U, and a tolerance of up to three times the centres' extent.
 void SideView::updateScale() {
   m_scale = 0;
   m_title.clear();
@@ -156,7 +156,7 @@ void SideView::paintTexts(QPainter& painter) const {
   const double length = roundDown125(m_square.width() * 0.3 / m_scale), end = left + length * m_scale;
   const QString figure = plainNumberText(length) + QStringLiteral(" mm");
   const double behind = end + gap + metrics.horizontalAdvance(figure);
-  const bool hasBar = behind <= right;  // a shortened figure would be wrong
+  const bool hasBar = behind <= right;  // a figure is never shortened
   //: an arrow to the side where the theodolite stands
   const QString side = SideViewText::tr("Δz →");
   const double ofSide = right - metrics.horizontalAdvance(side);

@@ -11,8 +11,8 @@ namespace alidade::ui {
 
 /// The arc's centre seen along the axis of rotation, Δd up and Δz towards the theodolite: O1 (axis at 0°)
 /// with U in both directions, and O2 (axis at 180°) opposite. A cross of lines is the axis. The tolerance is
-/// a band of Δd or a circle of the distance. One scale, shown by a bar in mm. Δz is written above if there is
-/// room.
+/// a band of Δd or a circle of the distance. Both directions have the same scale, shown by a bar in mm. Δz is
+/// written above if there is room.
 class SideView : public QGraphicsItem {
  public:
   using QGraphicsItem::QGraphicsItem;

@@ -38,7 +38,7 @@ class BarRows : public QWidget, public ChartSource {
  private:
   QString m_fileName;
   ChartFiles* m_files;
-  std::unique_ptr<QMenu> m_menu;  ///< the last opened one
+  std::unique_ptr<QMenu> m_menu;  ///< the menu opened last
 };
 
 }  // namespace alidade::ui

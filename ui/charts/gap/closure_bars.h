@@ -8,14 +8,14 @@
 
 namespace alidade::ui {
 
-/// The closures: for each its figures and a bar from zero to the misclosure, with the band of ± U. With
+/// The figures of each closure, and a bar from zero to the misclosure, with the band of ± U. With
 /// causes in the model, a hollow circle shows the new misclosure. Lengths are in units of each closure's U,
-/// so closures of any size share a scale; values beyond it end in an arrow.
+/// so closures of any size share a scale; an arrow marks values beyond the scale.
 class ClosureBars : public BarRows {
   Q_OBJECT
 
  public:
-  static constexpr double scaleEnd = 4;  ///< either end of the scale, in units of U
+  static constexpr double scaleEnd = 4;  ///< the scale is from −scaleEnd to +scaleEnd, in units of U
 
   explicit ClosureBars(QWidget* parent = nullptr);
 
@@ -24,7 +24,7 @@ class ClosureBars : public BarRows {
   bool isEmpty() const { return m_rows.empty(); }
   /// The strip for the bar of closure `row`.
   QRect strip(std::size_t row) const;
-  /// The place of a misclosure of `inU` (units of its U) on a strip; at its ends for values beyond.
+  /// The x, in widget units, of a misclosure `inU`, in units of its U; clamped to the ends of the scale.
   double x(double inU) const;
 
  protected:

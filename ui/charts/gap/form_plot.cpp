@@ -132,7 +132,7 @@ void FormPlot::reckonExtent() {
   m_extent = QRectF(QPointF(left - beside, low - above), QPointF(right + beside, high + above));
 }
 
-/// The curves of the horizontal or only carrier (0), or of the vertical circle (1).
+/// The curves of a circle. `which`: 0 for the horizontal or only carrier, 1 for the vertical circle.
 QList<QList<QPointF>> FormPlot::curves(std::size_t which) const {
   const auto& curve = m_form.trace.curve;
   if (curve.empty() || (which == 1 && !hasTwoCircles())) return {};

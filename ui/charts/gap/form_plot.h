@@ -12,7 +12,7 @@
 namespace alidade::ui {
 
 /// A form as a curve over its argument. At each sighting, a hollow mark is the partial residual without the
-/// form, and a filled mark the residual with the form, predicted without this sighting if any were held out.
+/// form, and a filled mark the residual with the form, predicted without this sighting if `isHeldOut`.
 /// For an orientation, the two circles differ in colour and shape. Bands show where the model is valid.
 class FormPlot : public Plot {
   Q_OBJECT
@@ -62,7 +62,7 @@ class FormPlot : public Plot {
   FoundForm m_form;
   std::vector<QString> m_names;  ///< name of the sighting of each point of the trace
   QRectF m_extent{0, -1, 1, 2};
-  std::array<Band, mostBands> m_bands;  // these and the lines are owned by the chart
+  std::array<Band, mostBands> m_bands;  // bands and lines are owned by the chart
   std::array<QLineSeries*, 2> m_limits;
   QLineSeries* m_zero;
   std::array<std::array<QLineSeries*, mostPieces>, 2> m_curves;

@@ -31,7 +31,7 @@ Ranges common(const Ranges& first, const Ranges& second) {
   return both;
 }
 
-/// Where no form of this argument displaces the readings; empty if there is no such form.
+/// The ranges where no form of this argument displaces readings; empty if no form has this argument.
 Ranges cleanRanges(const std::vector<FoundForm>& forms, FormArgument of) {
   std::optional<Ranges> ranges;
   for (const FoundForm& found : forms)

@@ -14,8 +14,8 @@ class OwnEffectCurve : public QChartView {
  public:
   explicit OwnEffectCurve(QWidget* parent = nullptr);
 
-  /// Lines in mm and in arcseconds cannot share a picture: the unit of the first curve decides which are
-  /// shown. Without points the picture says why it is empty.
+  /// Lines in mm and in arcseconds cannot share a picture: the unit of the first curve decides which
+  /// lines are shown. Without points the picture says why it is empty.
   void setCurves(const std::vector<OwnCurve>& curves);
 
   QSize sizeHint() const override { return {420, 190}; }

@@ -107,7 +107,7 @@ void HistoryPlot::label(double year, const QString& text) {
   m_labels.push_back({year, new QGraphicsSimpleTextItem(text, chart())});
 }
 
-/// Draws the tolerance if the values are near it; otherwise only the legend gives it.
+/// Draws the tolerance if it is near the values; otherwise only the legend states the tolerance.
 void HistoryPlot::drawTolerance() {
   if (!m_history.tolerance) return;
   for (const double side : {-1.0, 1.0}) {
@@ -172,7 +172,7 @@ void HistoryPlot::reckonExtent() {
   };
   for (const DatedValue& value : m_history.values)
     for (const double side : {-1.0, 1.0}) include(value.value + side * value.expanded);
-  // The limits must be visible, except those of a very uncertain value. So must a tolerance that is near.
+  // Limits must be visible, except the limits of a very uncertain value; also a tolerance near the values.
   const double reach = high - low;
   for (const ControlChart::Point& point : m_history.chart.points)
     for (const double side : {-1.0, 1.0})
@@ -244,7 +244,7 @@ QRectF HistoryPlot::axisRange(const QSizeF&) const {
   return m_extent;
 }
 
-/// Each label is at the top, above its place; overlapping ones move down a line.
+/// Each label is at the top, above its date; a label that overlaps the previous label moves down a line.
 void HistoryPlot::placeExtras() {
   double rightmost = plotArea().left(), line = 0;
   for (const Label& label : m_labels) {

@@ -19,7 +19,7 @@ class HistoryPlot : public Plot {
   explicit HistoryPlot(QObject* parent = nullptr);
 
   void setEvaluation(const Evaluation&) override {}  // the plot shows many sessions
-  /// `quantity`: its common name. An empty history shows only a sentence.
+  /// `quantity`: the common name of the quantity. An empty history shows only a sentence.
   void setHistory(const History& history, const QString& quantity, const std::string& unit);
   const History& history() const { return m_history; }
 
@@ -48,14 +48,14 @@ class HistoryPlot : public Plot {
   History m_history;
   QString m_quantity;
   std::string m_unit;
-  double m_scale = 1;  ///< power of ten of the axis
+  double m_scale = 1;  ///< factor from the unit of the values to the axis, a power of ten
   QRectF m_extent{0, -1, 1, 2};
   std::vector<Stick> m_sticks;
   struct Label {
     double year = 0;
     QGraphicsSimpleTextItem* item = nullptr;  ///< owned by the chart
   };
-  std::vector<Label> m_labels;  ///< of the baseline and the steps, from left to right
+  std::vector<Label> m_labels;  ///< labels of the baseline and the steps, from left to right
 };
 
 }  // namespace alidade::ui

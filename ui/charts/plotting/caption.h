@@ -4,8 +4,8 @@
 
 namespace alidade::ui {
 
-/// A sentence in small type, on a second line if the first is too short. It never widens its parent: an
-/// ellipsis shortens it, while the tool tip and screen readers give the whole sentence.
+/// A sentence in small type, on two lines if one line is too short. The caption never widens its parent: an
+/// ellipsis shortens the sentence, while the tool tip and screen readers give the whole sentence.
 class Caption : public QLabel {
   Q_OBJECT
 

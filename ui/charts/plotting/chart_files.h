@@ -21,17 +21,17 @@ struct ChartFile {
 class ChartSource {
  public:
   virtual ~ChartSource() = default;
-  virtual QString fileName() const = 0;  ///< without suffix, for the chart alone
+  virtual QString fileName() const = 0;  ///< part of the file name that names the chart, without suffix
   virtual PaintedPicture picture() = 0;
   virtual std::string numbers() const = 0;  ///< a table (`CsvText`)
 };
 
-/// Copies a chart, and offers it as SVG, PNG and CSV. The receiver of its signal writes the files.
+/// Copies a chart, and offers it as SVG, PNG and CSV. The receiver of `fileWanted` writes the files.
 class ChartFiles : public QObject {
   Q_OBJECT
 
  public:
-  /// `chart`: the widget that implements `source`; it owns this object.
+  /// `chart`: the widget, which implements `source` and owns this object.
   ChartFiles(ChartSource& source, QWidget* chart);
 
   void addTo(QMenu& menu);

@@ -22,8 +22,8 @@ class Legend : public QGraphicsItem {
 
   void setStyle(const PlotStyle& style);
   void setEntries(std::vector<LegendEntry> entries);
-  /// Lays the entries out from the item's origin, the first line shorter by `corner`; returns the height they
-  /// take, in scene units.
+  /// Lays the entries out from the item's origin, the first line shorter by `corner`; returns their height
+  /// in scene units.
   double layOut(double width, double corner = 0);
 
   const std::vector<LegendEntry>& entries() const { return m_entries; }

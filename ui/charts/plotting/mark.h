@@ -21,7 +21,7 @@ struct Mark {
 struct Stick {
   QLineF line;
   std::size_t kind = 0;  ///< index into the layer's pens
-  QPointF shift = {};    ///< as for a mark
+  QPointF shift = {};    ///< shift in scene units
 };
 
 }  // namespace alidade::ui

@@ -12,10 +12,10 @@ enum class MarkerShape { Circle, Diamond, Square, Cross, Plus };
 /// The drawing of a kind of point. Fill and shape keep markers distinguishable in grey.
 struct Marker {
   MarkerShape shape = MarkerShape::Circle;
-  QColor colour;  ///< of the outline, and of the inside if `filled`
-  QColor inside;  ///< of a hollow marker; the plot's background
+  QColor colour;  ///< colour of the outline, and of the inside if `filled`
+  QColor inside;  ///< colour inside a hollow marker: the plot's background
   bool filled = true;
-  double size = 7;      ///< across, in scene units
+  double size = 7;      ///< diameter in scene units
   bool ringed = false;  ///< with a ring of the same shape around it
   bool struck = false;  ///< with a slanting stroke through it
 

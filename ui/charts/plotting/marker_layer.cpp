@@ -10,7 +10,7 @@
 namespace alidade::ui {
 namespace {
 
-// From this number on, a marker is drawn once and copied, ten times faster than a path for each.
+// From this number on, a marker is drawn once and copied, ten times faster than drawing each path.
 constexpr std::size_t manyMarks = 400;
 
 bool isPixelDevice(const QPainter* painter) {
@@ -91,7 +91,7 @@ const Mark* MarkerLayer::markNear(const QPointF& scene, double reach) const {
   return nearest;
 }
 
-/// Computes the places once for each new set of marks or frame, however often these are painted.
+/// Computes the places once for each new set of marks or frame, not at each painting.
 void MarkerLayer::place() {
   if (std::exchange(m_isPlaced, true)) return;
   double size = 7;

@@ -13,8 +13,8 @@
 namespace alidade::ui {
 
 /// All points of a plot in one item, instead of one graphics item per point as in Qt Charts. Painted as
-/// vectors, or copied from a drawn marker if there are many on a pixel device. Of very many, only the visible
-/// ones are painted (thinning.h).
+/// vectors, or copied from a drawn marker if there are many on a pixel device. Of very many points, only
+/// visible points are painted (thinning.h).
 class MarkerLayer : public QGraphicsItem {
  public:
   using QGraphicsItem::QGraphicsItem;
@@ -36,7 +36,7 @@ class MarkerLayer : public QGraphicsItem {
   QPointF scenePosition(const Mark& mark) const { return m_sceneFromAxes.map(mark.at) + mark.shift; }
   /// The number of marks and sticks in the last painting.
   std::size_t paintedCount() const { return m_placed.size() + m_placedSticks.size(); }
-  /// The mark nearest to a place in the plot, within `reach` scene units; null if there is none.
+  /// The mark nearest to a place in the plot, within `reach` scene units; null if no mark is near.
   const Mark* markNear(const QPointF& scene, double reach) const;
 
   QRectF boundingRect() const override { return m_plotArea; }
@@ -59,7 +59,7 @@ class MarkerLayer : public QGraphicsItem {
   QTransform m_sceneFromAxes;
   std::optional<SightingRef> m_highlighted;
   std::optional<std::size_t> m_current;
-  bool m_isPlaced = false;            ///< the following members are valid for these marks and this frame
+  bool m_isPlaced = false;            ///< true: the two members below are up to date
   std::vector<PlacedMark> m_placed;   ///< the marks to paint
   std::vector<Stick> m_placedSticks;  ///< in scene units
 };

@@ -19,7 +19,7 @@ struct PaintedPicture {
 
 /// Returns the image with `scale` pixels per unit.
 QImage imageOf(const PaintedPicture& picture, int scale);
-/// The image as PNG with title and description. Empty if it cannot be made.
+/// The image as PNG with title and description. Empty if the image cannot be made.
 QByteArray pngOf(const PaintedPicture& picture, int scale);
 /// An SVG document in which shapes remain vectors and texts remain texts.
 QByteArray svgOf(const PaintedPicture& picture);

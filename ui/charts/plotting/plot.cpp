@@ -16,10 +16,10 @@
 namespace alidade::ui {
 namespace {
 
-constexpr double linesForTitles = 8;  // least room for legend and titles, in lines of text below the legend
+constexpr double linesForTitles = 8;  // least height below the legend, in lines of text
 constexpr double aboveZero = 1e-9;    // shift of the ticks, as a share of their step
 constexpr double leastLabels = 3;     // fewest labels of an axis
-constexpr double markReach = 9;       // reach of a click, in scene units
+constexpr double markReach = 9;       // reach of a click, in units of `PlotStyle::unit`
 
 /// Writes −12.5: a real minus sign and a decimal point, which no English locale combines.
 QLocale axisLocale() {
@@ -28,13 +28,13 @@ QLocale axisLocale() {
   return locale;
 }
 
-/// The next finer step of … 0.5, 1, 2, 4, 5, 10 …. One of them has just three multiples in a range about 0.
+/// The next finer step of … 0.5, 1, 2, 4, 5, 10 …. For any a, one step has exactly 3 multiples in [−a, a].
 double finerStep(double step) {
   const double below = roundDown125(0.9 * step);
   return below < 0.45 * step ? 2 * below : below;  // the step after 5 is 4
 }
 
-/// `step`, or the largest finer one with three multiples in the range.
+/// `step`, or the largest finer step with at least three multiples in the range.
 double stepOfLabels(double step, double low, double high) {
   constexpr double slack = 1e-9;
   const auto labels = [&](double of) {
@@ -323,10 +323,10 @@ void Plot::applyTicks(QValueAxis* axis, double step) const {
   // Each change of an axis lays all its labels out again, even with the same format.
   const QString format = QStringLiteral("%.%1f").arg(decimalsOfStep(step));
   if (format != axis->labelFormat()) axis->setLabelFormat(format);
-  // Narrows first: the old range with a much finer step would have thousands of ticks.
+  // Narrows the range first: the old range with a much finer step has thousands of ticks.
   if (step < axis->tickInterval()) axis->setRange(-step, step);
   axis->setTickInterval(step);
-  // Ticks are added up: three steps of 0.1 from −0.3 on end below 0, which would be written −0.0.
+  // Qt adds up the ticks: without the shift, three steps of 0.1 from −0.3 end below 0, written as −0.0.
   axis->setTickAnchor(aboveZero * step);
 }
 

@@ -41,7 +41,7 @@ class Plot : public QObject {
   QTransform sceneFromAxes() const { return m_sceneFromAxes; }
   const MarkerLayer& markers() const { return *m_markers; }
   const Legend& legend() const { return *m_legend; }
-  /// The sentence in the middle of an empty plot; empty if there is something to see.
+  /// The sentence in the middle of an empty plot; empty if the plot has contents.
   QString message() const { return m_message; }
 
   bool isZoomed() const { return !m_view.isWhole(); }
@@ -63,7 +63,7 @@ class Plot : public QObject {
   /// Paints the visible contents at (0, 0) of the painter.
   void paint(QPainter* painter);
 
-  /// The point at a place in the scene; null if there is none near.
+  /// The point at a place in the scene; null if no point is near.
   const Mark* markAt(const QPointF& scene) const;
   /// The tool tip of one of `markers().marks()`; plain text.
   virtual QString describe(const Mark& mark) const = 0;
@@ -88,18 +88,18 @@ class Plot : public QObject {
     double at = 0;  ///< in axis units
     QString label;
   };
-  /// The ticks of a named x axis, ascending, at most `most`; then the widest label that any of them can have.
+  /// `xTicks`: ticks of a named x axis, ascending, at most `most`. `widestXLabel`: widest label of any tick.
   virtual std::vector<Tick> xTicks(double /*low*/, double /*high*/, std::size_t /*most*/) const { return {}; }
   virtual QString widestXLabel() const { return {}; }
   /// The least distance of ticks in a plot that is not zoomed: 1 if the axis counts, 0: any.
   virtual double leastXStep() const { return 0; }
   virtual double leastYStep() const { return 0; }
-  /// Called before the layout in this size, in scene units.
+  /// Called before the layout, with the size of the plot in scene units.
   virtual void adaptTo(const QSizeF&) {}
   /// Called when the frame is known, to place items that depend on it.
   virtual void placeExtras() {}
 
-  /// Shows these marks; the current point stays that of the same reading.
+  /// Shows these marks; the current point stays at the same reading.
   void showMarks(std::vector<Mark> marks, std::vector<Stick> sticks = {});
   void setMessage(const QString& message);
   void setTitles(const QString& x, const QString& y);

@@ -19,13 +19,13 @@ struct PlotStyle {
   QColor lower;  ///< colour for the axis at 180°
   QColor excluded;
   QColor band;       ///< ±1σ
-  QColor outerBand;  ///< ±1σ of the circle with the larger σ, if they differ
+  QColor outerBand;  ///< ±1σ of the circle with the larger σ, if the σ of the circles differ
   QColor limit;      ///< ±3σ
   QFont font;        ///< with a pixel size, in scene units
 
-  double unit() const { return font.pixelSize() / 11.0; }  ///< scales line widths and markers with the type
+  double unit() const { return font.pixelSize() / 11.0; }  ///< factor of line widths and marker sizes
 
-  /// The colour of a position of the axis.
+  /// The colour for the axis at `axisDeg`, 0 or 180.
   QColor ofAxis(int axisDeg) const { return axisDeg == 0 ? upper : lower; }
   /// Filled at 0°, hollow at 180°, ringed for a repeat (`repeat` > 1).
   Marker marker(int axisDeg, MarkerShape shape, int repeat = 1) const;

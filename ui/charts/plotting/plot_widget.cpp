@@ -22,7 +22,7 @@
 namespace alidade::ui {
 namespace {
 
-constexpr double zoomStep = 1.25, moveStep = 0.1;  // per notch of the wheel; as a share of the plot area
+constexpr double zoomStep = 1.25, moveStep = 0.1;  // factor per wheel notch; share of the plot area
 
 }  // namespace
 
@@ -165,7 +165,7 @@ bool PlotWidget::eventFilter(QObject* watched, QEvent* event) {
       m_plot->arrange(static_cast<QResizeEvent*>(event)->size());
       break;
     case QEvent::ToolTip:
-      return true;  // the scene, which knows no tips of marks, would hide the one shown
+      return true;  // the scene has no tool tips of marks and hides the tool tip shown
     case QEvent::MouseMove:
       drag(*static_cast<QMouseEvent*>(event));
       break;
@@ -223,7 +223,7 @@ void PlotWidget::release(const QMouseEvent& mouse) {
   const Drag ended = m_drag;
   endDrag();
   if (ended == Drag::Press) activate(place);
-  // Ignores a drag of only a few pixels in width or height, which is unintended.
+  // Ignores a drag of only a few pixels in width or height as unintended.
   const QRect part = QRect(m_pressed, place).normalized();
   constexpr int least = 4;
   if (ended == Drag::Band && part.width() > least && part.height() > least) m_plot->zoomTo(part);

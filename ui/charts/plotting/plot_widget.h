@@ -28,7 +28,7 @@ struct Mark;
 /// Zoom: wheel, rubber band, + and −. Move: drag with the middle button, or Shift with the left button or the
 /// arrow keys. Whole plot: double click or Home. Arrow keys alone move from point to point, which screen
 /// readers announce; Enter activates the point. Digits are passed on to the table of readings.
-/// A menu offers all this, and pictures and numbers; a caption says what a good plot looks like.
+/// A menu offers zoom, pictures and numbers; a caption says what a good plot looks like.
 class PlotWidget : public QWidget, public ChartSource {
   Q_OBJECT
 
@@ -42,7 +42,7 @@ class PlotWidget : public QWidget, public ChartSource {
   void showWhole();
   /// The text of the point the keyboard selected; empty: none.
   QString currentPoint() const;
-  /// The points for screen readers: number, current one, texts and places on the screen.
+  /// The points for screen readers: their number, the current point, texts, and places on the screen.
   std::size_t pointCount() const;
   std::optional<std::size_t> currentIndex() const;
   std::optional<std::size_t> pointAt(const QPoint& onScreen) const;
@@ -60,7 +60,7 @@ class PlotWidget : public QWidget, public ChartSource {
 
  signals:
   void sightingActivated(std::size_t position, std::size_t row);
-  /// The keyboard selected a point of this row and stays in the chart.
+  /// The keyboard selected a point of this row; the keyboard focus stays in the chart.
   void sightingStepped(std::size_t position, std::size_t row);
 
  protected:
@@ -78,7 +78,7 @@ class PlotWidget : public QWidget, public ChartSource {
 
   /// Adds choices of what is drawn.
   virtual void addChoices(QMenu& menu);
-  /// The drawn contents changed: updates caption and descriptions.
+  /// Updates caption and descriptions; to be called after the drawn contents changed.
   void updateDescriptions();
 
  private:

@@ -6,7 +6,7 @@
 
 namespace alidade::ui {
 
-/// The rounds and faces of a picture, each once and in order.
+/// The rounds and faces of a picture, ascending, without repetition.
 struct RowKinds {
   std::vector<int> rounds, faces;
 
@@ -21,7 +21,7 @@ struct RowKinds {
   bool hasTwoFaces() const { return faces.size() > 1; }
 };
 
-/// The rounds and faces drawn: all, or one. A choice the picture does not have counts as all.
+/// The rounds and faces drawn: all, or one. A round or face that the picture lacks counts as all.
 struct RowChoice {
   std::optional<int> round = {}, face = {};
 

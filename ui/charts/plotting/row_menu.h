@@ -12,7 +12,7 @@ namespace alidade::ui {
 /// Adds a checkable entry, alone or as one of several.
 QAction* addChoice(QMenu& menu, const QString& text, bool isChosen, const std::function<void()>& choose);
 
-/// Menus of the existing rounds and faces, if there are several; `choose` receives the new choice.
+/// Adds menus for the rounds and for the faces in `kinds` if there are several. `choose` receives the choice.
 void addRowChoices(QMenu& menu, const RowKinds& kinds, const RowChoice& choice,
                    const std::function<void(const RowChoice&)>& choose);
 

@@ -44,7 +44,7 @@ class Cells {
         m_rows(countOf(raster.area.height())),
         m_chosen(m_columns * m_rows * kinds, empty) {}
 
-  /// The cell at this point, or the nearest one.
+  /// The cell at this point, or the cell nearest to the point.
   Chosen& at(const QPointF& point, std::size_t kind) {
     const std::size_t column = indexOf(point.x() - m_left, m_columns);
     const std::size_t row = indexOf(point.y() - m_top, m_rows);

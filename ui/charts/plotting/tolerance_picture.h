@@ -22,7 +22,7 @@ struct ToleranceColours {
 void paintToleranceScale(QPainter& painter, const QRectF& area, const ToleranceScale& scale,
                          const ToleranceColours& colours);
 
-/// The height that suits the font.
+/// The height of the scale for this font.
 double heightOfToleranceScale(const QFont& font);
 
 }  // namespace alidade::ui

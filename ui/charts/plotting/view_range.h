@@ -5,8 +5,8 @@
 
 namespace alidade::ui {
 
-/// The visible part of a plot, in axis units; `top` of a rectangle is its least y. Never more than the whole:
-/// once zoomed out to the whole, it follows later changes of the whole.
+/// The visible part of a plot, in axis units; `top` of a rectangle is its least y. Never more than the whole;
+/// zooming out to the whole makes the part follow later changes of the whole.
 class ViewRange {
  public:
   bool isWhole() const { return !m_part; }

@@ -16,7 +16,7 @@ QString key(const char* name) {
   return QStringLiteral("charts/residuals/") + QString::fromLatin1(name);
 }
 
-/// The kept number of a round or face; absent if all are chosen, which is stored as 0.
+/// The stored number of a round or face; absent for 0, which means that all are chosen.
 std::optional<int> numberIn(const QSettings& settings, const char* name) {
   const int number = settings.value(key(name), 0).toInt();
   return number > 0 ? std::optional(number) : std::nullopt;

@@ -8,7 +8,7 @@ namespace alidade::ui {
 
 enum class CircleRead { Horizontal, Vertical, Slider };
 
-/// The name of a circle, "horizontal": in the user's language, and as in tables.
+/// The name of a circle, as "horizontal": `circleName` in the user's language, `nameOf` as in tables.
 QString circleName(CircleRead circle);
 const char* nameOf(CircleRead circle);
 
@@ -36,7 +36,7 @@ struct ResidualChoice {
   bool takes(CircleRead circle) const {
     return circle == CircleRead::Horizontal ? horizontal : circle == CircleRead::Vertical ? vertical : slider;
   }
-  /// True if residuals in units of their own scatter, w, are drawn.
+  /// True if standardised residuals w are drawn.
   bool showsStandardised() const { return isStandardised || over == Over::Normal; }
   Axis axis() const;
   double reach() const { return reaches[static_cast<std::size_t>(axis())]; }

@@ -12,7 +12,7 @@ namespace alidade::ui {
 /// The residuals drawn with one marker.
 struct ResidualKind {
   int axisDeg = 0;
-  bool isAgain = false;  ///< a repeat of this axis
+  bool isAgain = false;  ///< a repeat at this axis angle
   CircleRead circle = CircleRead::Horizontal;
   bool isFaceTwo = false;
 

@@ -10,7 +10,7 @@ namespace alidade::ui {
 
 class ResidualChart;
 
-/// The chart of the residuals below a row that chooses its kind and the range of its residuals.
+/// The residual chart, below a row of entries for the kind of chart and the range of the residuals.
 class ResidualPage : public QWidget {
   Q_OBJECT
 

@@ -69,7 +69,7 @@ void addSliders(ResidualPicture& picture, const Measurement& measurement, const 
   }
 }
 
-/// Sorts the residuals that have a w. Equal ones stay in the order of the readings.
+/// Sorts the residuals that have a w. Residuals with equal w stay in the order of the readings.
 void sortByStandardised(ResidualPicture& picture) {
   const auto& residuals = picture.residuals;
   for (std::uint32_t i = 0; i < residuals.size(); ++i)

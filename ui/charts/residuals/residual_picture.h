@@ -17,11 +17,11 @@ struct DrawnResidual {
   int repeat = 1;  ///< number of the repeat at this axis
   CircleRead circle = CircleRead::Horizontal;
   int point = 0, round = 1, face = 1;
-  std::size_t order = 1;              ///< number of its row in the session, in the order read, from 1
+  std::size_t order = 1;              ///< number of the row in the session, in the order of reading, from 1
   double elevation = 0, azimuth = 0;  ///< e and a of the sighting, degrees, up and right positive
   double slider = 0;  ///< s in degrees: the arc angle φ at 0°, −φ at 180°, so that both run over 0…180°
   double arcsec = 0;        ///< observed minus adjusted; right and up positive
-  double standardised = 0;  ///< w = v/(s0 σ √r); NaN if no other reading checks this one
+  double standardised = 0;  ///< w = v/(s0 σ √r); NaN if no other reading checks this reading
 };
 
 /// The contents of the residual chart, as numbers.
@@ -35,9 +35,9 @@ struct ResidualPicture {
   double sigmaSlider = 0;
 
   bool isEmpty() const { return residuals.empty(); }
-  bool oneSigma() const;  ///< both circles have the same σ
+  bool oneSigma() const;  ///< true: both circles have the same σ
   double largestSigma() const { return sigmaHorizontal > sigmaVertical ? sigmaHorizontal : sigmaVertical; }
-  double largestResidual() const;  ///< of the absolute values of both circles, arcseconds
+  double largestResidual() const;  ///< largest absolute residual of both circles, arcseconds
   double sigmaOf(CircleRead circle) const;
 };
 

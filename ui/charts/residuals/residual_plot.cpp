@@ -160,7 +160,7 @@ void ResidualPlot::reckonNoise() {
   std::ranges::stable_sort(m_noise, std::greater(), &StatedNoise::sigma);
 }
 
-/// The largest residual shown: set by hand, or with room for all.
+/// The largest residual shown: set by hand, or large enough for all residuals.
 double ResidualPlot::reckonReach() const {
   if (m_drawn.reach() > 0) return m_drawn.reach();
   double reach = 0;
@@ -331,7 +331,7 @@ void ResidualPlot::showLine(const QRectF& range) {
   m_line->setVisible(!m_points.empty());
 }
 
-/// `sigma`: 0 for none.
+/// Draws ±σ as a band and ±3σ as lines; nothing for `sigma` = 0.
 void ResidualPlot::showNoise(const NoiseBand& band, double sigma, const QRectF& range) {
   const auto level = [&](double y) { return QList<QPointF>{{range.left(), y}, {range.right(), y}}; };
   const double high = std::clamp(sigma, range.top(), range.bottom());

@@ -14,8 +14,8 @@ namespace alidade::ui {
 
 /// The chosen residuals, in arcseconds or standardised, along the arc, in the order read, over an angle, over
 /// their normal quantiles, or stacked in a histogram. Limits: ±1σ (band) and ±3σ (dashed) of the stated noise
-/// or of 1, the envelope of normal values, or the curve of their expected numbers. Rounds and faces are side
-/// by side. Kinds of readings stay distinguishable in grey (ResidualKind).
+/// or, if standardised, of σ = 1; the envelope of normal values; or the curve of their expected numbers.
+/// Rounds and faces are side by side. Kinds of readings stay distinguishable in grey (ResidualKind).
 class ResidualPlot : public Plot {
   Q_OBJECT
 
@@ -41,7 +41,7 @@ class ResidualPlot : public Plot {
  private:
   static constexpr std::size_t mostBands = 3;
 
-  /// ±σ and ±3σ of one circle, or of both if equal.
+  /// ±σ and ±3σ of one circle, or of all circles with this σ.
   struct NoiseBand {
     QLineSeries *top, *bottom;
     QAreaSeries* area;
@@ -76,16 +76,16 @@ class ResidualPlot : public Plot {
   ResidualChoice m_drawn;  ///< the part of the choice available in the picture
   ResidualKinds m_kinds;
   RowSlots m_slots;
-  std::vector<ResidualPoint> m_points;  ///< also those beyond a range set by hand
-  ResidualClasses m_classes;            ///< of a histogram
+  std::vector<ResidualPoint> m_points;  ///< including points beyond a range set by hand
+  ResidualClasses m_classes;            ///< classes of a histogram
   double m_unit = 0;                    // unit of the style, which sets the shift of marks
   NormalEnvelope m_envelope;
   std::vector<StatedNoise> m_noise;  // the largest σ first
-  std::size_t m_unchecked = 0;       // chosen, but without a standardised residual
-  std::size_t m_beyond = 0;          // points beyond a range set by hand
+  std::size_t m_unchecked = 0;       // number of chosen residuals without a w
+  std::size_t m_beyond = 0;          // number of points beyond a range set by hand
   QRectF m_extent{0, -10, 180, 20};  // extent of what is drawn
   std::array<NoiseBand, mostBands>
-      m_bands;          // the largest σ first, so that smaller ones are drawn over it; owned by the chart
+      m_bands;          // the largest σ first, below the bands of smaller σ; owned by the chart
   NoiseBand m_area;     // envelope of normal values, or bars; owned by the chart
   QLineSeries* m_line;  // zero, the normal line, or the curve of expected numbers
 };

@@ -37,7 +37,7 @@ std::vector<ResidualPoint> rankedPoints(const ResidualPicture& picture, const Re
   return points;
 }
 
-/// The noise that the chosen residuals should have.
+/// The stated noise of the chosen residuals: one entry for each circle; σ = 1 for standardised residuals.
 std::vector<NormalValues> statedNoise(const std::vector<ResidualPoint>& points,
                                       const ResidualPicture& picture, const ResidualChoice& choice) {
   if (choice.isStandardised) return {{points.size(), 1}};

@@ -16,8 +16,8 @@ struct ResidualPoint {
   std::uint32_t index = 0;  ///< index into the picture's residuals
 };
 
-/// The places of the chosen residuals, without the standardised ones of unchecked readings, which have no
-/// value. In a histogram all are at y = 0. `choice.rows` names only rounds and faces of the picture.
+/// The places of the chosen residuals; standardised residuals of unchecked readings have no value and no
+/// place. In a histogram all are at y = 0. `choice.rows` must name only rounds and faces of the picture.
 std::vector<ResidualPoint> residualPoints(const ResidualPicture& picture, const ResidualChoice& choice);
 
 /// The histogram of residuals, as drawn.
@@ -30,14 +30,14 @@ struct ResidualClasses {
   double expected(std::size_t index) const;
 };
 
-/// Counts residuals of `choice` in classes over ±`reach` and places each in the bar of its class, above those
-/// counted before; one that is in no class stays at y = 0.
+/// Counts residuals of `choice` in classes over ±`reach` and places each in the bar of its class, above the
+/// residuals counted before. A residual in no class stays at y = 0.
 ResidualClasses stackInClasses(std::vector<ResidualPoint>& points, const ResidualPicture& picture,
                                const ResidualChoice& choice, double reach);
 
 /// For each rank, the range that contains its value with a probability of 95 % if all values are normal.
 struct NormalEnvelope {
-  QList<QPointF> lower, upper;  ///< its ends, from left to right, with equal x
+  QList<QPointF> lower, upper;  ///< ends of the range, from left to right, with equal x
 };
 
 /// Empty for fewer than two values.
