@@ -14,7 +14,7 @@ struct Arrival {
   std::string takenAt = {}, returnCode = {}, instrumentSerial = {};
 };
 
-/// Returns the arrivals of all rows with such data, in the order of the file.
+/// Returns the arrivals of all rows that have data from an instrument, in the order of the file.
 std::vector<Arrival> arrivalsOf(const Session& session);
 
 /// Null if the instrument sent nothing with the row.

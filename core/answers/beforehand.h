@@ -12,13 +12,13 @@
 
 namespace alidade {
 
-/// Returns the first error that prevented the fit of an arc. `fitted` is the number of fitted arcs of the
-/// measurement. Empty if every arc was fitted.
+/// Returns the first error that prevented the fit of an arc, or that there are no readings. Empty if every
+/// arc was fitted. `fitted` is the number of fitted arcs of the measurement.
 std::optional<Problem> absence(const Measurement& measurement, std::size_t fitted,
                                const std::vector<FitFinding>& findings);
 
-/// Returns the findings on positions, set-up and model that a result of all positions requires. Fails with
-/// the reason if a position could not be fitted. `fit` is that of the measurement.
+/// Returns the findings on positions, set-up and model of a session whose positions are all fitted. Fails
+/// with the reason if a position could not be fitted. `fit` is that of the measurement.
 Result<std::vector<Finding>> findingsBeforehand(const Measurement& measurement, const SessionFit& fit);
 
 }  // namespace alidade

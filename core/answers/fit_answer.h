@@ -23,7 +23,7 @@ struct FitAnswer {
   const SessionFit& fit;
   std::vector<Suspect> suspects = {};
   std::optional<MonteCarlo> check = {};     ///< on request
-  std::optional<Diagnosis> diagnosis = {};  ///< unless excluded
+  std::optional<Diagnosis> diagnosis = {};  ///< absent if none was made
   /// The single rows on which the verdict depends.
   std::vector<Dependence> dependences = {};
   std::vector<Arrival> arrivals = {};  ///< of the rows of the session

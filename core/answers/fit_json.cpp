@@ -85,8 +85,8 @@ Json lengthJson(const std::optional<MeasuredLength>& length) {
   return {{"value_mm", length->value}, {"sigma_mm", length->sigma}, {"expanded_mm", length->expanded}};
 }
 
-/// The same keys as `intersectionJson`. Degrees of freedom and the part along x are null, as an average over
-/// several accounts of the readings has none.
+/// The same keys as `intersectionJson`. Degrees of freedom and the part along x are null: an average over
+/// several explanations of the readings has none.
 Json asFoundJson(const IntersectionEstimate& found, double coverage) {
   return {{"value_mm", found.value},
           {"sigma_mm", found.sigma},

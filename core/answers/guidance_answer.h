@@ -18,7 +18,7 @@ struct Guidance {
   ProtocolProgress progress;
   std::vector<std::optional<ExpectedReading>> expected;  ///< for each sighting
   std::optional<SightingChoice> choice = {};             ///< in a protocol by worth
-  std::optional<SightingsAhead> ahead = {};              ///< in a protocol by worth: needed for `uncertainty`
+  std::optional<SightingsAhead> ahead = {};              ///< in a protocol by worth: to reach `uncertainty`
   std::optional<double> uncertainty = {};                ///< U of Δd, mm
   std::vector<SightingsToRepeat> allToRepeat;
   Outlook outlook;

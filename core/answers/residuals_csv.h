@@ -7,10 +7,10 @@
 
 namespace alidade {
 
-/// Returns a table with a row for each reading of the fit, in the order taken, slider readings included. It
-/// states where the reading was taken and its residual (observed minus adjusted, right and up positive). It
-/// also states σ and how well other readings check it. Column names contain the units; a cell is empty if its
-/// number is not finite. `fit` is that of the measurement.
+/// Returns a table with a row for each reading of the fit, slider readings included, in the order in which
+/// they were taken. It states where the reading was taken and its residual (observed minus adjusted, right
+/// and up positive). It also states σ and how well other readings check it. Column names contain the units; a
+/// cell is empty if its number is not finite. `fit` is that of the measurement.
 std::string residualsCsv(const Measurement& measurement, const SessionFit& fit);
 
 }  // namespace alidade

@@ -94,7 +94,7 @@ std::optional<Problem> takePlace(StatedEntries& stated, const std::string& text)
                  quotation(text))};
 }
 
-/// Adds a name without a language; an empty one as “not stated”.
+/// Adds a name without a language; an empty name as “not stated”.
 void addName(const Element& to, const std::string& text) {
   if (text.empty())
     to.say("name", notStatedText);

@@ -26,7 +26,7 @@ struct CertificateOptions {
   std::string manufacturer = {};  ///< of the device; empty: not stated
   std::string issued = {};        ///< day of issue; empty: not stated
   bool isDraft = false;           ///< a missing entry is “not stated” instead of an error
-  std::vector<CertificateLanguage> languages = {};  ///< the binding one first; empty: English
+  std::vector<CertificateLanguage> languages = {};  ///< the binding language first; empty: English
   std::optional<CertificateDocument> report = {};   ///< the acceptance report, as PDF
 };
 
@@ -44,8 +44,8 @@ struct CalibrationCertificate {
 /// from the session's SHA-256.
 ///
 /// Fails without the day of the measurement, which the schema requires, and on an invalid day, country or
-/// place of performance. Unless it is a draft, it also fails if an entry is missing that ISO/IEC
-/// 17025, 7.8.2, or the schema requires.
+/// place of performance. If `isDraft` is false, it also fails without an entry that ISO/IEC 17025, 7.8.2, or
+/// the schema requires.
 Result<CalibrationCertificate> calibrationCertificate(const CertificateSource& source,
                                                       const CertificateOptions& options);
 

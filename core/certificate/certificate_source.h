@@ -13,7 +13,7 @@ struct CertificateSource {
   const Session& session;
   const FitAnswer& answer;  ///< of that session
   std::string fileName;     ///< name of the session's file, without folder; empty: unsaved
-  std::string_view bytes;   ///< bytes of the session's file, as saved or as it would be saved
+  std::string_view bytes;   ///< bytes of the session's file, in the form in which it is saved
 };
 
 }  // namespace alidade

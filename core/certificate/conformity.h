@@ -10,9 +10,9 @@ namespace alidade {
 
 /// The statement of conformity in the schema's words: `pass` for accept, `fail` for reject. If the verdict
 /// has a condition, such as a cause or that the tripod was not knocked: `conditionalPass`, `conditionalFail`.
-/// These also apply to an undecided verdict (ILAC-G8:09/2019, 4.2.3) if only U prevents a decision, and both
-/// values of the measurand are on the same side of the tolerance. In all other cases, and without a
-/// tolerance, there is no statement.
+/// These also apply to an undecided verdict (ILAC-G8:09/2019, 4.2.3) if only U prevents a decision: the side
+/// of the tolerance on which the value lies then decides. For Δd, the value of the fit only must lie on the
+/// same side. In all other cases, and without a tolerance, there is no statement.
 std::optional<std::string_view> conformityOf(const FitAnswer& answer);
 
 /// Adds the decision rule, the tolerance and the statement, or why there is none, to `measurementMetaData`.

@@ -96,7 +96,7 @@ void addCondition(const Element& list, const StatedQuantity& quantity) {
   addQuantity(condition.add("data"), quantity);
 }
 
-/// Converts a typed temperature; `examine` does so only if a length expands. Absent if empty or invalid.
+/// Converts a typed temperature, as `examine` does only if a length expands. Absent if empty or invalid.
 std::optional<double> typedNumber(std::string_view field, const std::string& text) {
   const Result<std::optional<double>> number = numberEntry(field, text);
   return number && !text.empty() ? *number : std::nullopt;

@@ -22,7 +22,7 @@ std::string withDecimals(double value, int decimals) {
 
 constexpr int decimalsOfProbability = 4;
 
-/// Adds an interval in place of U if k is below 1, which the schema excludes, or if a length minus U would be
+/// Adds an interval in place of U if k is below 1, which the schema excludes, or if a length minus U is
 /// negative.
 void addUncertainty(const Element& real, double value, const StatedUncertainty& stated, int decimals) {
   const double factor = stated.expanded / stated.sigma;

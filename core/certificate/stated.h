@@ -11,7 +11,7 @@ namespace alidade {
 /// The entries required by the schema, as session and options state them. A certificate states empty ones as
 /// “not stated”.
 struct StatedEntries {
-  std::string identifier;   ///< the report's number, or one derived from the session's bytes
+  std::string identifier;   ///< the report's number, or the SHA-256 of the session's bytes
   std::string country;      ///< ISO 3166-1; if empty "ZZ", which is reserved for private use
   std::string begin, end;   ///< days of the measurement
   std::string performedAt;  ///< "other" if empty

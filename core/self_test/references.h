@@ -6,7 +6,7 @@
 
 namespace alidade {
 
-// Compiled in by references.cmake, from tests/reference and samples.
+// references.cmake compiles in these texts from tests/reference and samples.
 
 /// A file by its name: a session, or a JSON document of independently calculated results.
 struct ReferenceText {

@@ -33,10 +33,10 @@ struct SelfTest {
 };
 
 /// All checks that need no window. `share` is the folder of the program's installed files; if it is empty,
-/// their check is left out. Writes nothing. Takes a second on a usual machine.
+/// the check of these files is left out. Writes nothing. Takes a second on a usual machine.
 SelfTest runSelfTest(const std::string& share, const SelfTestReferences& references = compiledReferences());
 
-/// `share` of the prefix whose `bin` holds the running program, if it contains the samples; else empty.
+/// The folder `share` next to the folder `bin` of the running program; empty if it has no `alidade` folder.
 std::string installedShare();
 
 }  // namespace alidade

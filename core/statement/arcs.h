@@ -13,7 +13,7 @@ Statement arcTable(const SessionFit& fit);
 /// The arcs of the published method as it prints them, each the mean over the positions at its axis, and Δd.
 Statement publishedTable(const PublishedSessionFit& fit);
 
-/// The effects of the session's model, estimated along with the arcs. Without rows if there are none.
+/// The effects of the session's model, estimated along with the arcs. Without rows if the model has none.
 Statement effectTable(const std::vector<EffectEstimate>& effects);
 
 }  // namespace alidade

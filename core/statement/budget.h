@@ -10,8 +10,8 @@ namespace alidade {
 
 /// The budget of Δd, measured, largest share first. Shares below `leastShare` of the variance are combined in
 /// one row, if there are at least two. Lengths are in mm, with one digit more than u needs. The sensitivity
-/// of an effect is its u divided by the 1σ of its numbers, in mm per unit of these: |∂Δd/∂x| for one number,
-/// the root of the sum of squares for several of one size. `coverage` is that of U, 0…1.
+/// of an effect is its u divided by the 1σ of its numbers, in mm per unit of the numbers: |∂Δd/∂x| for one
+/// number, the root of the sum of squares for several of one size. `coverage` is that of U, 0…1.
 Statement measuredBudget(const Diagnosis& diagnosis, double coverage);
 
 /// The budget of Δd, fit only: readings, model effects, known radius, pointing zeros and distance. `fit` has

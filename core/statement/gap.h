@@ -26,7 +26,7 @@ Statement gapForms(const Gap& gap);
 /// The residuals and Δd in each stage from the bare model to Δd, measured.
 Statement gapStages(const Gap& gap);
 
-/// The closures with the session's own model, and with the causes added; the failing ones are notable.
+/// The closures with the session's own model, and with the causes added; `isNotable` marks failing closures.
 Statement gapClosures(const Gap& gap);
 
 /// The size of each effect that would explain Δd − reference.

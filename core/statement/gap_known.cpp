@@ -27,7 +27,7 @@ std::string sourceText(const KnownPrior& known) {
   return listed({visibleText(known.from), visibleText(known.date)});
 }
 
-/// The comparison of a known number with the readings; null without one.
+/// The comparison of a known number with the readings; null without a comparison.
 const KnownCheck* checkOf(const Gap& gap, const Effect& effect, const EffectParameter& number) {
   if (!gap.diagnosis) return nullptr;
   const auto found = std::ranges::find_if(gap.diagnosis->known, [&](const KnownCheck& check) {

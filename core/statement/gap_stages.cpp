@@ -12,7 +12,7 @@ namespace alidade {
 
 namespace {
 
-/// "without 2 misread values": each such stage excludes more values than the one before.
+/// "without 2 misread values": each stage of misread values excludes more values.
 std::string withoutGrossErrors(const Gap& gap, const GapStage& stage) {
   std::size_t all = 0, leftOut = 0;
   for (const GapStage& other : gap.stages) {

@@ -105,7 +105,7 @@ void setMeasured(Headline& headline, const Measurement& measurement, const Measu
     setFigure(headline, measurement, headline.name, measured.estimate.value, measured.estimate.expanded);
 }
 
-/// Sets the verdict and its basis. Without a diagnosis the verdict is marked "fit only", `decided` is absent.
+/// Sets the verdict and its basis. Without a diagnosis the verdict says "fit only" and `decided` is absent.
 void setVerdict(Headline& headline, const Measurement& measurement, const SessionFit& fit,
                 const Diagnosis* diagnosis, const std::optional<AcceptanceDecision>& decision) {
   if (!decision) {
@@ -163,8 +163,8 @@ void addSeal(Headline& headline, const Session& session) {
                               .isWarning = changesSince(*seal, session.journal) > 0});
 }
 
-/// The result of a diagnosed fit, or why there is none, with the lines below it. Without a decision no line
-/// mentions a verdict.
+/// The result of a diagnosed fit, or why there is no result, with the lines below it. Without a decision no
+/// line mentions a verdict.
 Headline resultOf(const Measurement& measurement, const SessionFit& fit, const Diagnosis* diagnosis,
                   const std::optional<AcceptanceDecision>& decision,
                   const std::vector<Dependence>& dependences) {

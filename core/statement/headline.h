@@ -41,15 +41,15 @@ struct Headline {
   };
 
   std::string name;            ///< "Δd", "Δd, fit only" while provisional, "d" where the distance is judged
-  std::string figure;          ///< "1.30 ± 0.74 mm", or briefly why there is none
+  std::string figure;          ///< "1.30 ± 0.74 mm", or briefly why there is no figure
   std::string tip = {};        ///< the figure to six decimals and what it includes; may be empty
   std::string tolerance = {};  ///< "tolerance ± 2.5 mm"; empty if none is stated
   std::string verdict = {};    ///< "Accepted", "No verdict", "Provisional: the diagnosis is running."
-  std::optional<Verdict> decided = {};       ///< absent: no verdict, or one of the fit only
+  std::optional<Verdict> decided = {};       ///< absent: no verdict, or a verdict of the fit only
   std::optional<ToleranceScale> scale = {};  ///< absent without a tolerance, a figure or a finite U
   std::optional<CentreOffset> offset = {};   ///< absent if Δz was not measured
   std::vector<Line> lines = {};
-  std::string sentence = {};        ///< the basis of the verdict, or why there is none; may be empty
+  std::string sentence = {};        ///< the basis of the verdict, or why there is no verdict; may be empty
   std::string fitOnly = {};         ///< "Δd, fit only: 1.31 ± 0.21 mm"; empty without Δd
   std::string fitOnlyDetails = {};  ///< coverage, k and u of Δd, fit only
   bool isMeasured = false;          ///< the figure includes every catalogued effect

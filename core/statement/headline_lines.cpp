@@ -82,7 +82,7 @@ Line acrossLine(const Measurement& measurement, const MeasuredIntersection& meas
       .isWarning = isAcrossSignificant(measured)};
 }
 
-/// Whether the verdict is accept or reject, so that the causes are its condition.
+/// Whether the verdict is accept or reject. If so, the causes are its condition.
 bool isReached(const AcceptanceDecision* decision) {
   return decision && decision->verdict != Verdict::Undecided;
 }

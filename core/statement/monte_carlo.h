@@ -8,8 +8,8 @@
 
 namespace alidade {
 
-/// Δd, fit only, as propagated and as drawn, then the centres as drawn: mean, u and the ends of the interval,
-/// in mm. `linear` is null without an intersection.
+/// Δd, fit only, by linear propagation and from the draws, then the centres from the draws: mean, u and the
+/// ends of the interval, in mm. `linear` is null without an intersection.
 Statement monteCarloCheck(const MonteCarlo& check, const Intersection* linear);
 
 /// Whether propagated and simulated uncertainty agree: "Agrees."

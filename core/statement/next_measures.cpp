@@ -102,7 +102,7 @@ void addAttainable(std::vector<Entry>& entries, const Attainable& attainable) {
   }
 }
 
-/// Adds the entries that only reduce U. Keeps at most three: the worthiest, and the worthiest per effort.
+/// Adds entries that only reduce U. Keeps the entry of most worth and up to two of most worth per effort.
 std::vector<Entry> fewOf(std::vector<Entry> all, const Attainable& attainable) {
   constexpr std::size_t most = 3;
   addAttainable(all, attainable);

@@ -23,7 +23,7 @@ std::vector<std::vector<Measure>> measuresNext(const Gap& gap);
 /// What to add to a plan without readings. Each separated pair is worth 1/(number of effects + 1).
 Statement planAdvice(const PlanReview& review, const SessionEffort& session);
 
-/// What helps if more rounds do not; empty if nothing does.
+/// The measures and known effects that reduce U if more rounds do not; empty if there are none.
 Statement insteadStatement(const Outlook& outlook);
 
 /// Adds a table to a statement without one: a row with U for each entry except the first, which has neither

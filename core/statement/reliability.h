@@ -7,8 +7,8 @@
 
 namespace alidade {
 
-/// At most five readings, those whose undetected error would change Δd most, then the pointing zeros and
-/// lengths that are entered once. Two sentences state what checks them. Empty if no arc was fitted.
+/// At most five readings, those whose undetected error changes Δd most, then the pointing zeros and lengths
+/// that are entered once. Two sentences state what checks them. Empty if no arc was fitted.
 Statement reliabilityTable(const Measurement& measurement, const SessionFit& fit);
 
 }  // namespace alidade

@@ -24,7 +24,7 @@ std::string nameOf(const std::string& cause) {
   return cause.empty() ? Phrase::of("no cause") : causeName(cause);
 }
 
-/// A cause in addition to one that is certain: "with plane tilt"; "alone" if `cause` is empty.
+/// A cause in addition to a certain cause: "with plane tilt"; "alone" if `cause` is empty.
 std::string additionText(const std::string& cause) {
   return cause.empty() ? Phrase::of("alone") : Phrase::of("with %1", nameOf(cause));
 }

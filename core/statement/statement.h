@@ -43,7 +43,7 @@ struct Statement {
   std::string note = {};  ///< explains the columns
 
   /// The cells of a row that are shown below it, from columns with the role Text, each after the title of its
-  /// column: "cannot be told from: gravity sag".
+  /// column: "indistinguishable: gravity sag".
   std::vector<std::string> textsBelow(const Row& row) const;
 };
 

@@ -6,7 +6,7 @@
 namespace alidade {
 
 /// The common name of an effect from its identifier: "trunnion tilt". The name of a user's own effect or an
-/// unknown one is its identifier without prefix and underscores, as visible text.
+/// unknown effect is its identifier without prefix and underscores, as visible text.
 std::string effectName(const std::string& id);
 
 /// The name within a sentence of anything that a diagnosis may find: an effect, "a jump of the orientation",

@@ -47,7 +47,7 @@ std::string staleText(const KnownCheck& check, const std::string& probability) {
       sizeText(check.value, check.sigma, check.unit), probability);
 }
 
-/// Whether the tilt from the readings has the opposite sign of the known one. Each number is tested
+/// Whether the tilt from the readings has the opposite sign of the known tilt. Each number is tested
 /// separately, because the compensator has two axes.
 bool isOtherWayRound(const Diagnosis& diagnosis, const std::string& effect) {
   constexpr double apart = 4, alike = 2;  // in σ

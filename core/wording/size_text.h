@@ -6,7 +6,7 @@ namespace alidade {
 
 // The size of an effect in a unit of the catalogue ("arcsec", "mm", "1"), to two digits of the uncertainty.
 
-/// "61.2 ± 8.1″", "−0.298 ± 0.018 mm": ± is expanded.
+/// "61.2 ± 8.1″", "−0.298 ± 0.018 mm": the uncertainty is expanded.
 std::string sizeWithExpanded(double value, double expanded, const std::string& unit);
 
 /// "3.20″ (u 0.51)": the uncertainty is standard.

@@ -20,8 +20,8 @@ std::string probabilityText(double probability);
 /// "97 %", "99.3 %", "> 99.9 %" for a table or a list.
 std::string shortProbabilityText(double probability);
 
-/// Returns the decimals for value and U, mm: two digits of U, and more if the rounded numbers would otherwise
-/// give another decision against `tolerance` (`decide`).
+/// Returns the decimals for value and U, mm: two digits of U, or as many more as the rounded numbers need for
+/// the same decision against `tolerance` (`decide`).
 int decimalsToDecide(double value, double expanded, double tolerance);
 
 /// The verdict of `decide` with its numbers. `expanded` ≥ 0, `tolerance` > 0, `coverage` in (0, 1).

@@ -40,7 +40,7 @@ std::optional<ArcFault> tooFewPlaces(const Measurement& measurement,
 std::optional<ArcFault> radiusUndetermined(const ArcFit& fit) {
   const double sigma = std::sqrt(fit.cofactor[2][2]);
   if (std::isfinite(sigma) && sigma <= largestRadiusUncertainty * fit.circle.radius) return std::nullopt;
-  constexpr double wide = 60;  // the sagitta is a seventh of the radius, far above a theodolite's noise
+  constexpr double wide = 60;  // degrees; the sagitta is then R/7, far above a theodolite's noise
   const Angle span = arcSpan(fit);
   if (span.degrees() < wide) return arc_fault::ArcTooShort{span};
   return arc_fault::RadiusUndetermined{};

@@ -18,7 +18,7 @@ class DifferentPlaces {
 
   explicit DifferentPlaces(const Measurement& measurement);
 
-  /// Counts the place if it differs from those counted before. True once `needed` places are counted.
+  /// Counts the place if it differs from every counted place. Returns whether `needed` places are counted.
   bool areEnoughWith(const PlanePoint<double>& place);
   std::size_t count() const { return m_places.size(); }
 
@@ -27,14 +27,13 @@ class DifferentPlaces {
   boost::container::static_vector<PlanePoint<double>, needed> m_places;
 };
 
-/// Returns the reason if the sighted places cannot determine a circle: fewer than three of them differ by
-/// more than the stated noise. Tested before any fit.
+/// Returns the fault if fewer than three sighted places differ by more than the stated noise (5 σ): they
+/// determine no circle. Needs no fit.
 std::optional<ArcFault> tooFewPlaces(const Measurement& measurement,
                                      const std::vector<PlanePoint<double>>& places);
 
-/// Returns the reason if the fitted circle is not determined: the stated noise alone makes its radius
-/// uncertain by more than a third of itself (1σ). The noise then hides the sagitta, and the linear theory
-/// behind every σ is invalid.
+/// Returns the fault if the stated noise alone makes the radius of the fitted circle uncertain by more than a
+/// third of itself (1σ). The noise then hides the sagitta, and the linear theory behind every σ is invalid.
 std::optional<ArcFault> radiusUndetermined(const ArcFit& fit);
 
 /// The angle the sighted places span, seen from the fitted centre, in (0, 2π].

@@ -14,7 +14,7 @@ namespace arc_fault {
 struct TooFewPlaces {
   std::size_t places = 0;  ///< 0…2
 };
-/// Fewer than three places differ; all others repeat them.
+/// Fewer than three places differ; every further place repeats one of them.
 struct PlacesRepeat {
   std::size_t different = 0;  ///< 1 or 2
 };

@@ -30,7 +30,7 @@ struct NormalEquations {
   double chiSquare = 0;  // of the visit means
 };
 
-/// The `Problem` of `minimise`. Every visit is at its foot point, so λ is reliable even at the start.
+/// The `Problem` of `minimise`. Every visit is at its foot point, which makes λ reliable even at the start.
 class ArcProblem {
  public:
   using State = Circle;
@@ -80,7 +80,7 @@ class ArcProblem {
 
  private:
   std::vector<Visit> m_visits;
-  VisitFeet m_feet;  // not settled; without the slider's readings
+  VisitFeet m_feet;  // without slider readings; `system` converges copies
 };
 
 void fillCovariance(ArcFit& fit, const NormalEquations& equations) {
@@ -130,7 +130,7 @@ Result<ArcFit, ArcFault> fitArc(const Measurement& measurement, const ArcMeasure
   if (const auto fault = tooFewPlaces(measurement, problem.sightedPoints())) return *fault;
   std::optional<Circle> start = options.start;
   if (start) start->y += line.height();
-  if (!start)  // to be confirmed by the general equations
+  if (!start)  // the general equations confirm this start
     if (const auto fast = fitVisitsFast(measurement, problem.visits(), line)) start = fast->circle;
   if (!start) start = algebraicCircle(problem.sightedPoints());
   if (!start) return ArcFault(arc_fault::PlacesOnALine{});

@@ -31,7 +31,7 @@ struct SightingResidual {
   double verticalStandardised = std::numeric_limits<double>::quiet_NaN();
 };
 
-/// One fitted arc: the result of both the published and the rigorous fit.
+/// One arc, fitted by the rigorous or by the published method.
 struct ArcFit {
   std::size_t position = 0;  ///< index into the session's positions
   int axisDeg = 0;
@@ -55,8 +55,8 @@ struct ArcFit {
 
 struct ArcFitOptions {
   std::optional<Circle> start =
-      {};  ///< empty: the fast fit, or an algebraic one if that is refused; neither needs a nominal radius
-  int maximumIterations = 200;  ///< of Levenberg-Marquardt, rejected steps counted
+      {};  ///< empty: from the fast fit, or from Kåsa's fit if the fast fit is refused; without R0
+  int maximumIterations = 200;  ///< of Levenberg-Marquardt, including rejected steps
   /// Converged when the next step of (Δx, Δy, R) is shorter than this many standard deviations of the result.
   /// 1e-9 is some 10⁻¹¹ mm on the usual arc, and a hundred times the rounding error of the step.
   double tolerance = 1e-9;

@@ -16,8 +16,8 @@ namespace {
 
 using namespace arc_kernel;
 
-constexpr double unlike = 0.01;  // largest relative difference between the remainders of a part and of all
-constexpr int mostSurveys = 2;   // if more are needed, residuals are too large for them
+constexpr double unlike = 0.01;  // limit of the relative difference in remainder between the part and all
+constexpr int mostSurveys = 2;   // if two do not suffice, the residuals are too large for surveys
 constexpr std::size_t pilotPlaces = 16384;
 
 const ArcKernel& kernel() {
@@ -73,7 +73,7 @@ std::optional<FastArcFit> fitKept(const ArcSetup& setup, const Readings& reading
   return fitIn(concluded(outcome, setup.distance));
 }
 
-/// Randomly chosen blocks of places, one from each of as many equal stretches.
+/// Blocks of places, one chosen at random from each of equally long stretches of the readings.
 struct Part {
   std::vector<double> a, e, rows;
 
@@ -114,8 +114,8 @@ Information<double> atEnd(const Information<double>& all, const Information<doub
   return {moved(&I::one), moved(&I::x), moved(&I::y), moved(&I::xx), moved(&I::xy), moved(&I::yy)};
 }
 
-/// Corrects the step of `progress` from `all`, which overshoots by the square of its length. The part's
-/// gradients `before` and `after` the step show what the second derivatives omit.
+/// Corrects the step of `progress`. The step was computed from `all` and overshoots by the square of its
+/// length. The gradients of the part, `before` and `after` the step, show what the second derivatives omit.
 void mend(Progress<double>& progress, const CloseSums<double>& all, const CloseSums<double>& before,
           const CloseSums<double>& after) {
   const Step<double> step = progress.step;
@@ -139,7 +139,7 @@ bool isConverged(const Progress<double>& progress) {
   return progress.remaining < usualTolerance;
 }
 
-/// Fits a part of the places first, then all of them, without storing them.
+/// Fits a part of the places first, then all places, without storing their equations.
 std::optional<FastArcFit> fitStreamed(const ArcSetup& setup, const Readings& readings,
                                       const ReadingResiduals& residuals) {
   const Part part(readings);
@@ -157,7 +157,7 @@ std::optional<FastArcFit> fitStreamed(const ArcSetup& setup, const Readings& rea
        ++surveys, ++outcome.iterations) {
     Survey all, before, after;
     kernel().survey(readings, inner, progress.disc, all);
-    if (all.largestResidual > largestResidual) return std::nullopt;  // later steps hardly change it
+    if (all.largestResidual > largestResidual) return std::nullopt;  // later steps hardly change residuals
     kernel().survey(part.readings(), inner, progress.disc, before);
     progress.anisotropy = anisotropyOf(inner.variances, all.largestReading * all.largestReading);
     advance(progress, all.sums);
@@ -197,7 +197,7 @@ void fitArcsFast(const ArcSetup& setup, std::span<const double> a, std::span<con
   if (a.size() < 3 * fits.size()) std::ranges::fill(fits, std::nullopt);
   if (fits.empty() || a.size() < 3 * fits.size()) return;
   constexpr std::size_t batch = width * sideBySide;
-  constexpr std::size_t turn = 64;  // batches per thread at a time: some 70 µs
+  constexpr std::size_t turn = 64;  // batches that a thread takes at a time: some 70 µs
   const std::size_t count = a.size() / fits.size(), batches = (fits.size() + batch - 1) / batch;
   const Setup inner = inside(setup, tolerance);
   std::atomic<std::size_t> next = 0;  // next batch that no thread has taken

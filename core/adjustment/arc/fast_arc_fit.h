@@ -15,24 +15,24 @@ namespace alidade {
 //
 // Such a pair maps one-to-one onto the arc plane, X = L tan a, Y = L tan e sec a (planar: L tan e), so each
 // place gives one condition without a latent arc angle. With the distance (ux, uy) of the plane point from
-// the current centre,
+// the current centre, the condition is f = (ux² + uy² − R²)/2 = 0. The condition after a step,
 //
-//   f = (ux² + uy² − R²)/2 = 0, f − ux δx − uy δy − h = 0 after a step, h = (R'² − R² − |δ|²)/2,
+//   f − ux δx − uy δy − h = 0, h = (R'² − R² − |δ|²)/2,
 //
 // is linear in the unknowns (δx, δy, h). Its weight is 1/(f_a² σ_h² + f_e² σ_v²), with f_a = ∂f/∂a, f_e =
 // ∂f/∂e. Internal lengths are in units of L.
 //
-// Start: Kåsa's circle. One step uses the true first and second derivatives of Σ (v/σ)², from a series about
-// the readings whose terms grow with residual/R. It reaches the minimum of `fitArc` for residuals of a few
-// times 2″; the step and the omitted terms bound the remainder. If this bound is too large, the condition is
-// linearised repeatedly at the adjusted readings of the iteration before (errors in both circles, Pope 1972,
-// "Some pitfalls to be avoided in the iterative adjustment of nonlinear problems").
+// The start is Kåsa's circle. One step uses the true first and second derivatives of Σ (v/σ)², from a series
+// about the readings whose terms grow with residual/R. The step reaches the minimum of `fitArc` for residuals
+// of a few times 2″; its length and the omitted terms bound the remainder. If this bound is too large, the
+// condition is linearised repeatedly at the adjusted readings of the iteration before (errors in both
+// circles, Pope 1972, "Some pitfalls to be avoided in the iterative adjustment of nonlinear problems").
 //
 // The fast fit refuses |a| or |e| above 45°, residuals above 0.002 rad (5 mm at 2.4 m), places that hardly
 // determine a circle, and slow convergence. The general fit takes these over.
 //
-// If there are many places, a part is fitted in this way; one step from the part's circle then uses all. The
-// step overshoots by the square of its length; the same step of the part alone shows by how much.
+// If there are many places, a part of them is fitted first. One step from the part's circle then uses all
+// places. It overshoots by the square of its length; the same step of the part alone shows by how much.
 //
 // Four places, or four fits, are processed together by vector units if the processor has them. The order of
 // summation is the same for every processor and number of threads.
@@ -49,19 +49,19 @@ struct ArcSetup {
 
 struct FastArcFit {
   Circle circle;           ///< mm, y up
-  Covariance3 cofactor{};  ///< of (Δx, Δy, R) from the stated σ, mm²; good to 1e-5
+  Covariance3 cofactor{};  ///< of (Δx, Δy, R) from the stated σ, mm²; relative error ≤ 1e-5
   double chiSquare = 0;    ///< Σ (v/σ)²; with n − 3 degrees of freedom
   int iterations = 0;
 };
 
-/// Observed minus adjusted, rad, one for each reading. May be empty if unwanted.
+/// Observed minus adjusted, rad, one for each reading. Empty spans are not filled.
 struct ReadingResiduals {
   std::span<double> horizontal = {}, vertical = {};
 };
 
 /// Fits one arc to n places, `a[i]`, `e[i]` in rad, each the mean of `rows[i]` rows of one visit; without
-/// `rows`, one row each. Absent if refused. Above 32 768 places none is stored, and the cofactor comes from
-/// the second derivatives: good to 1e-4 if residuals are systematic.
+/// `rows`, one row each. Absent if refused. Above 32 768 places their equations are not stored, and the
+/// cofactor from the second derivatives has a relative error of up to 1e-4 if residuals are systematic.
 std::optional<FastArcFit> fitArcFast(const ArcSetup& setup, std::span<const double> a,
                                      std::span<const double> e, std::span<const double> rows = {},
                                      const ReadingResiduals& residuals = {});

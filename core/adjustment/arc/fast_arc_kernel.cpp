@@ -19,7 +19,7 @@ constexpr std::size_t share = 16;  // blocks of a sweep that are processed toget
          5.38695755929454629881E7;
 }
 
-/// The point of the arc plane sighted by the readings.
+/// Computes tan a and tan e of the place, and includes a² and e² in `largest`.
 [[gnu::always_inline]] inline void sight(PlaceEquation& place, const Lanes& a, const Lanes& e,
                                          Lanes& largest) {
   const Lanes aa = a * a, ee = e * e;
@@ -73,10 +73,10 @@ template <bool exact>
 /// second derivative of f along G:
 ///
 ///   first − Σ λ (x*, y*, 1), λ = m (1 + 3/2 m k + 5/2 (m k)²),
-///   second Σ p (1 + 3 m k) b bᵀ,
+///   second Σ p (1 + 3 m k) b bᵀ, b = (x, y, 1),
 ///
-/// where (x*, y*) leads from the centre to the foot and b = (x, y, 1) to a point as far beyond it. This is
-/// exact to second order; the third order is that of readings whose errors are equal in all directions.
+/// where (x*, y*) leads from the centre to the foot, and (x, y) of b to the mirror image of the sighted point
+/// at the foot. Exact to second order; the third order holds for errors that are equal in all directions.
 template <bool exact, bool weighted>
 [[gnu::always_inline]] inline void add(CloseSums<Lanes>& sums, Information<Lanes>& information,
                                        const PlaceEquation& place, const Disc<Lanes>& disc,
@@ -114,8 +114,8 @@ template <bool exact, bool weighted>
   sums.third += (weightedSquares * mkmk) * mkmk;
 }
 
-/// Weights the condition stored in `place` and adds it to the sums. Separate from its derivation, so that the
-/// divisions of one place do not delay others.
+/// Weights the condition stored in `place` and adds it to the sums. A pass of its own after the
+/// linearisation, so that the divisions of one place do not delay other places.
 template <bool weighted>
 [[gnu::always_inline]] inline void weigh(PlaceEquation& place, const Variances& variances,
                                          Sums<Lanes>& sums) {
@@ -164,7 +164,7 @@ template <bool exact>
   return u * (1 + u * (u * ((tt + 1.0 / 3) - u * (t * (tt + 2.0 / 3))) - t));
 }
 
-/// Linearises the condition at the readings minus the residuals after `step`, for the circle it reached.
+/// Linearises the condition at the readings minus the residuals after `step`, for the circle after the step.
 template <bool exact>
 [[gnu::always_inline]] inline void linearise(PlaceEquation& place, const Step<Lanes>& step,
                                              const Disc<Lanes>& disc, Lanes& largest) {
@@ -193,7 +193,7 @@ template <bool exact>
   return sum;
 }
 
-// Combine the lanes if all hold one arc (T: double); keep them apart if each holds its own (T: Lanes).
+// Combine the lanes if all hold one arc (T: double); keep them apart if each holds another arc (T: Lanes).
 
 template <typename T>
 [[gnu::always_inline]] inline T gathered(const Lanes& sum) {
@@ -236,7 +236,7 @@ template <typename T>
   }
 }
 
-/// Adds the moments of a place about the optical axis; the iteration does not need the digits lost by this.
+/// Adds the moments of a place about the optical axis. The digits lost by this origin are not needed.
 template <bool weighted>
 [[gnu::always_inline]] inline void add(Moments<Lanes>& sums, const PlaceEquation& place) {
   const Lanes x = place.tanA, y = place.y, z = x * x + y * y;
@@ -309,7 +309,7 @@ template <bool exact, typename T>
   return gathered<T>(sums);
 }
 
-/// Restarts at the readings themselves.
+/// Restarts the linearisation at the readings themselves.
 template <bool exact, typename T>
 [[gnu::always_inline]] inline void approached(PlaceEquation* places, std::size_t blocks,
                                               const Variances& variances, Progress<T>& progress) {
@@ -400,8 +400,8 @@ template <bool exact>
   for (std::size_t i = 0; i < readings.blocks(); ++i) writeResiduals(places[i], step, i * width, residuals);
 }
 
-/// Loads the `count` readings of `width` fits, one fit after the other; if there are fewer fits, the first
-/// fills the other lanes.
+/// Loads the `count` readings of `width` fits, one fit after the other. If there are fewer fits, the first
+/// fit fills the other lanes.
 [[gnu::always_inline]] inline void sightFits(PlaceEquation* places, const double* a, const double* e,
                                              std::size_t count, std::size_t fits, Outcome<Lanes>& outcome) {
   std::size_t from[width];

@@ -7,7 +7,7 @@
 
 // The arithmetic of fast_arc_fit.cpp. Four lanes hold four places of one arc, or one place of four arcs.
 // fast_arc_kernel.cpp is compiled twice: for every processor, and for those with vector units of four
-// doubles. So that no function is shared between the two, every function here is inlined where it is called.
+// doubles. Every function here is inlined where it is called, so that the two compilations share none.
 
 namespace alidade::arc_kernel {
 
@@ -21,7 +21,7 @@ constexpr double remainderFactor = 6;      // bound on the remainder of an itera
 constexpr double straight = 1e-10;  // least product of variances across and along the chord, in R⁴; 6° of arc
 constexpr int mostIterations = 12;
 
-/// A pair of readings, and what the last iteration found for it.
+/// A pair of readings, and its equation in the last iteration.
 struct alignas(sizeof(Lanes)) PlaceEquation {
   Lanes tanA, tanE, secA;  ///< secA: with the exact relation only
   Lanes y, perRise;        ///< height of the plane point, and its derivative with respect to e
@@ -36,7 +36,7 @@ struct Disc {
   T x, y, square;  ///< R²
 };
 
-/// A step of the centre and of h.
+/// A step of the centre, and h of fast_arc_fit.h as `half`.
 template <typename T>
 struct Step {
   T x, y, half;
@@ -48,7 +48,7 @@ struct Information {
   T one{}, x{}, y{}, xx{}, xy{}, yy{};
 };
 
-/// The information with the sums of the misclosure.
+/// `Information`, and Σ weight · w · (1, ux, uy, w) with the misclosure w.
 template <typename T>
 struct Normals : Information<T> {
   T w{}, xw{}, yw{}, ww{};
@@ -84,9 +84,9 @@ struct Inverse {
   T determinacy;
 };
 
-/// The state of the iteration. `remaining` bounds the remaining way, in units of R; `chance` is the part due
-/// to residuals; `lag`: distance of the points of linearisation from the right ones; `anisotropy`: how much a
-/// place's error depends on direction, 0…1.
+/// The state of the iteration. `remaining` bounds the way to the minimum, in units of R; `chance` is the part
+/// of this bound due to residuals; `lag`: distance of the points of linearisation from the adjusted points;
+/// `anisotropy`: how much a place's error depends on direction, 0…1.
 template <typename T>
 struct Progress {
   Disc<T> disc;
@@ -103,7 +103,7 @@ struct Moments {
 
 /// Readings of one arc, four places per vector.
 struct Readings {
-  const double *a, *e, *rows;  ///< rows: null if all visits have one
+  const double *a, *e, *rows;  ///< rows: null if every visit has one row
   std::size_t count;
 
   std::size_t blocks() const { return (count + width - 1) / width; }
@@ -183,8 +183,8 @@ template <typename T>
           q.xh * x + q.yh * y + q.hh * half};
 }
 
-/// Returns how much a place's error depends on direction: 0 (not at all) … 1. `square`: that of the largest
-/// reading, rad².
+/// Returns how much a place's error depends on direction: 0 (not at all) … 1. `square`: the square of the
+/// largest reading, rad².
 template <typename T>
 [[gnu::always_inline]] inline T anisotropyOf(const Variances& variances, const T& square) {
   const double ratio = variances.horizontal / variances.vertical;
@@ -215,11 +215,11 @@ template <typename T>
   return root((q.xx * square + q.yy * square + q.hh) * one);
 }
 
-/// Takes a step with these derivatives. As they belong to the circle before the step, the step overshoots by
-/// the square of its length. A factor removes most of that; the rest depends on how far places moved. The
-/// other remainder, of either sign, is the third order of the residuals. It is smaller if a place's error
-/// depends less on direction, and larger on shorter arcs. The coefficients keep each of the million arcs of
-/// tests/bench/fast_agreement.cpp within 1e-9 mm.
+/// Takes a step with these derivatives. The derivatives belong to the circle before the step, so the step
+/// overshoots by the square of its length. `stretch` removes most of the excess; the rest depends on how far
+/// places moved. `chance`, the other remainder, has either sign and is the third order of the residuals:
+/// smaller if a place's error depends less on direction, larger on shorter arcs. The coefficients keep each
+/// of the million arcs of tests/bench/fast_agreement.cpp within 1e-9 mm.
 template <typename T>
 [[gnu::always_inline]] inline void advance(Progress<T>& progress, const CloseSums<T>& sums) {
   const T square = progress.disc.square, perSquare = 1 / square, perOne = 1 / sums.one;
@@ -250,9 +250,9 @@ template <typename T>
   progress.chiSquare = sums.ww - sums.xw * step.x - sums.yw * step.y - sums.w * step.half;
   const T xx = sums.w - sums.xxw * perSquare, xy = -sums.xyw * perSquare, yy = sums.xxw * perSquare;
   const Step<T> turn = times(q, xx * step.x + xy * step.y, xy * step.x + yy * step.y, T(step.x - step.x));
-  // A place linearised at a distance ε from the right point misses the circle by ε²/2R. The error ε/R of its
-  // normal, multiplied by its residual, adds an error of either sign. The geometry enlarges both errors. Two
-  // more remain after the step: part of the subtracted `turn`, and a random part of the residuals, `chance`.
+  // A place linearised at a distance ε from its adjusted point misses the circle by ε²/2R. The error ε/R of
+  // its normal, times its residual, adds an error of either sign. The geometry enlarges both. Two more errors
+  // remain after the step: part of the subtracted `turn`, and a random part of the residuals, `chance`.
   const T residual = scatter(sums, perSquare);
   const T gain = gainOf(q, sums.one, square);
   const T stepLength = extent(step, perRadius, perSquare), off = stepLength + progress.lag;

@@ -13,7 +13,7 @@ namespace alidade {
 
 namespace {
 
-/// Σ (v/σ)² of the differences between the rows of each visit.
+/// Σ (v/σ)², where v is the reading of a row minus the mean of its visit.
 double chiSquareWithinVisits(const Whitening& whitening, const ArcMeasurement& arc,
                              const std::vector<Visit>& visits) {
   double sum = 0;
@@ -54,7 +54,7 @@ std::optional<FastArcFit> fitVisitsFast(const Measurement& measurement, const st
 }
 
 Result<ArcFit, ArcFault> firstFit(const Measurement& measurement, const ArcMeasurement& arc) {
-  constexpr double surelyDetermined = 0.1;  // of R; the limit is a third
+  constexpr double surelyDetermined = 0.1;  // of R; `radiusUndetermined` allows a third
   const std::vector<Visit> visits = visitsOf(arc);
   const ArcView view(measurement, arc.axisDeg);
   const ZeroLine line(measurement, arc);

@@ -17,7 +17,7 @@ std::optional<FastArcFit> fitVisitsFast(const Measurement& measurement, const st
                                         const ZeroLine& line);
 
 /// The start of a joint adjustment of all arcs: `fitArc`, or the fast fit if it is reliable for the arc. The
-/// fast fit gives no residuals, and cofactor and χ² only to its own accuracy.
+/// fast fit gives no residuals; its cofactor and χ² have the accuracy of `FastArcFit`.
 Result<ArcFit, ArcFault> firstFit(const Measurement& measurement, const ArcMeasurement& arc);
 
 }  // namespace alidade

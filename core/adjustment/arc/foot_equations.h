@@ -32,12 +32,12 @@ struct ArcUnknowns {
   double sliderZero = 0;
 };
 
-/// A point of the arc, with the residuals and the derivatives of the readings there.
+/// A point of the arc, with the residuals and the derivatives of the readings at this point.
 template <typename T>
 struct alignas(sizeof(T)) Foot {
   T cosine{}, sine{};   ///< of the arc angle φ
-  Direction<T> left{};  ///< mean of the readings minus those of a perfect instrument there, radians
-  T sliderLeft{};       ///< the same for the slider reading, 0 without one
+  Direction<T> left{};  ///< mean reading minus the reading of a perfect instrument, radians
+  T sliderLeft{};       ///< slider reading minus the model, radians; 0 without slider reading
   /// ∂(a, e)/∂(x, y, L) at the foot, per mm; a is independent of y.
   T aX{}, aL{}, eX{}, eY{}, eL{};
 };
@@ -96,7 +96,7 @@ template <typename T>
   foot.sine = length > 0 ? y / length : T{};
 }
 
-/// Returns the residuals of the circles at the foot, as ratios, and fills the derivatives of `foot`.
+/// Returns the residuals of the circle readings at the foot, as ratios, and fills the derivatives of `foot`.
 template <typename T>
 [[gnu::always_inline]] inline Direction<Ratio<T>> lookFrom(Foot<T>& foot, const ArcView& view,
                                                            const Circle& circle, const T& tanA,
@@ -122,7 +122,7 @@ template <typename T>
 }
 
 /// Step from the foot to the minimum of |r(φ)|²/2, rad. The second derivative includes the curvature of the
-/// arc, for faster convergence, but not that of the projection; far from the arc it omits both. `along`:
+/// arc, for faster convergence, and omits that of the projection. Far from the arc it omits both. `along`:
 /// `alongArc`; `rows`, `sliderRows`: numbers of readings of each circle and of the slider.
 template <typename T>
 [[gnu::always_inline]] inline T footStep(const ArcView& view, double radius, const Foot<T>& foot,
@@ -152,7 +152,7 @@ template <typename T>
 inline constexpr int mostFootSteps = 25;
 
 /// Is the next step negligible? Steps shrink by a constant ratio, that of residual to radius. `size`,
-/// `before`: lengths of this step and of the one before, rad.
+/// `before`: lengths of this step and of the previous step, rad.
 template <typename T>
 [[gnu::always_inline]] inline auto isLastFootStep(const T& size, const T& before) {
   constexpr double smallest = 1e-14;  // rad; 4e-12 mm on a 400 mm arc

@@ -13,8 +13,8 @@ namespace alidade {
 //
 //   minimise |r(φ)|², r = ((a − a(P(φ)))/σ_h, (e − e(P(φ)))/σ_v, and (s − s0 ∓ φ)/σ_s with a slider reading)
 //
-// Closed form: a residual follows from the tangents of reading and model, and sine and cosine of φ are
-// rotated with each step. The only functions of an angle are thus the tangents, once for each visit.
+// The residuals are closed forms in the tangents of reading and model; sine and cosine of φ are rotated with
+// each step. The tangents are the only functions of an angle, computed once for each visit.
 
 /// The readings of one visit.
 struct VisitReading {

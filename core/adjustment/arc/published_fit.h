@@ -6,9 +6,9 @@ namespace alidade {
 
 /// The paper's own quantities, in its own frame: with zenith angles its y points down.
 struct AsPrinted {
-  double deltaRadius = 0;         ///< ΔR of the last iteration, mm (not the sum of both)
+  double deltaRadius = 0;         ///< ΔR of the second iteration alone, mm
   double x = 0, y = 0;            ///< Δx, Δy, mm
-  double thetaX = 0, thetaY = 0;  ///< Δθx, Δθy, rad; third harmonics due to a wrong sign rather than tilts
+  double thetaX = 0, thetaY = 0;  ///< Δθx, Δθy, rad; a wrong sign makes the tilts third harmonics
 };
 
 struct PublishedFit {

@@ -17,7 +17,7 @@ using Points = std::vector<PlanePoint<double>>;
 
 constexpr std::size_t fewestRows = 6;
 constexpr std::size_t mostTriples = 150;
-constexpr double apartFrom = 6;  ///< scatters of the majority
+constexpr double apartFrom = 6;  ///< in units of the scatter of the majority
 
 Points sightedPoints(const Measurement& measurement, const ArcMeasurement& arc) {
   Points points;
@@ -43,7 +43,7 @@ double majorityDistance(const Circle& circle, const Points& points) {
   return majorityBound(std::move(distances));
 }
 
-/// A regular selection of rows: more do not improve the start.
+/// At most 120 rows at regular intervals: more rows do not improve the start.
 Points sample(const Points& points) {
   constexpr std::size_t most = 120;
   if (points.size() <= most) return points;
@@ -52,7 +52,7 @@ Points sample(const Points& points) {
   return some;
 }
 
-/// Of the circles through three points, the one nearest to the majority of all.
+/// Returns the circle through three points that is nearest to the majority of all points.
 std::optional<Circle> bestOfTriples(const Points& points) {
   std::optional<Circle> best;
   double least = std::numeric_limits<double>::infinity();
@@ -115,7 +115,7 @@ RobustStart robustStart(const Measurement& measurement, const ArcMeasurement& ar
   const Points some = sample(points);
   auto circle = bestOfTriples(some);
   if (!circle) return start;
-  // The stated noise of the circles in mm: rows closer than this are not separated.
+  // The stated noise of the circles in mm: the least scatter that is assumed.
   const double floor =
       measurement.distance * std::max(measurement.sigmaHorizontal, measurement.sigmaVertical).radians();
   double scatter = 0;

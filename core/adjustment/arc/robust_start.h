@@ -18,7 +18,7 @@ struct RobustStart {
 /// A start that tolerates errors of any size in almost half of the rows: of the circles through three sighted
 /// points, the one with the least median of distances (P. J. Rousseeuw, "Least median of squares regression",
 /// J. Am. Stat. Assoc. 79 (1984)), refined on the rows near it. Rows beyond six times the scatter of that
-/// majority are candidates for tests. The points are a fixed choice, so the result depends only on the
+/// majority are candidates for tests. A fixed rule chooses the points, so that the result depends only on the
 /// readings. With fewer than six rows there are no candidates.
 RobustStart robustStart(const Measurement& measurement, const ArcMeasurement& arc);
 

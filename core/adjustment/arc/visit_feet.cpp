@@ -18,7 +18,7 @@ template <typename Mask>
   return all;
 }
 
-/// Computes the residuals at the current feet; false if one is large.
+/// Computes the residuals at the current feet. False if one is too large for the series.
 [[gnu::always_inline]] inline bool look(Block& b, const ArcView& view, const Circle& circle) {
   const auto residuals = lookFrom<Eight>(b.foot, view, circle, b.tanA, b.tanE);
   const auto isSmall = [](const Ratio<Eight>& ratio) {

@@ -10,9 +10,9 @@
 namespace alidade {
 
 // All visits of an arc at their foot points (foot_point.h), eight at a time, and their normal equations. Both
-// faces of a visit read the same, so each kind of reading has one row, counted as often as it was read. The
-// component along the arc is subtracted, which eliminates the arc angle. Residuals are found by series. If
-// one of eight exceeds 0.001 rad, the eight visits are processed one by one.
+// faces of a visit read the same, so each kind of reading has one row, weighted by its number of readings.
+// Subtracting the component along the arc eliminates the arc angle. The residuals come from series. If one of
+// eight visits has a residual above 0.001 rad, the eight are processed one by one.
 
 /// Normal equations over the estimated quantities, (Δx, Δy, R) in mm and the slider's zero in rad, and the
 /// considered ones: the pointing zeros of a and e in rad, and L in mm. From the stated σ.
@@ -50,7 +50,7 @@ class VisitFeet {
                                                     ///< instrument
   double sliderLeft(std::size_t visit) const;       ///< the same for the slider, if it was read
 
-  /// Reliability of the eight visits from `eight` · `block` on, converged. `cofactor`: inverse of the normal
+  /// Reliability of the eight converged visits from `eight` · `block` on. `cofactor`: inverse of the normal
   /// matrix of the estimated quantities; `requested`: `cofactor` times the gradient of the requested
   /// quantity.
   using Cofactor = std::array<std::array<double, ArcEquations::estimated>, ArcEquations::estimated>;

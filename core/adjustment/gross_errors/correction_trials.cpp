@@ -102,8 +102,8 @@ bool CorrectionTrials::agreesAsTyped(const Visited& visit, const VisitCheck& che
   return !rows.empty() && check.agreement(rows).probability >= leastProbability;
 }
 
-/// The gain in log likelihood of other visits whose rows the correction changes; empty if one of them then
-/// disagrees.
+/// The gain in log likelihood of other visits whose rows the correction changes; empty if the correction
+/// makes one of these visits disagree.
 std::optional<double> CorrectionTrials::gainElsewhere(const Visited& visit, const Correction& correction) {
   const ArcMeasurement& arc = m_fitted.arcs[visit.arc];
   double gain = 0;

@@ -35,8 +35,8 @@ struct AgreeingCorrection {
   double offSpacing = 0;  ///< as `VisitAgreement::offSpacing`
 };
 
-/// Returns the kind of reading that a cell holds. A changed face turns both circles and counts as the
-/// horizontal one.
+/// Returns the kind of reading that a cell holds. A changed face turns both circles and counts as a
+/// horizontal reading.
 ReadingKind kindOf(const std::string& field);
 
 /// Misread readings of a session, and corrections of the typed text that would explain them: each is tested
@@ -44,7 +44,7 @@ ReadingKind kindOf(const std::string& field);
 class CorrectionTrials {
  public:
   /// Searches `fitted`, the fitted part of the measurement of `session`, at the stated risk of naming a sound
-  /// reading. `fit`: of all its readings. If asked to stop, it finds none.
+  /// reading. `fit`: of all its readings. After a stop request the search finds nothing.
   CorrectionTrials(const Session& session, Measurement fitted, const JointFit& fit, double risk,
                    const std::stop_token& stop);
 

@@ -64,7 +64,7 @@ class ReadingCorrections {
     m_corrections.push_back(std::move(correction));
   }
 
-  /// The adjacent rows, and the adjacent rows of the same face.
+  /// Rows at a distance of one; if the row states its face, also of two, as faces may alternate.
   std::vector<std::size_t> neighbours() const {
     std::vector<std::size_t> rows;
     for (const std::size_t distance : {std::size_t{1}, std::size_t{2}}) {

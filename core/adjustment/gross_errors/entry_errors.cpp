@@ -17,7 +17,7 @@ struct KnownEntryError {
   double share;
 };
 
-/// Rough shares: what matters is that every kind remains possible.
+/// The shares are rough: they only have to keep every kind possible.
 constexpr std::array<KnownEntryError, 9> entryErrors = {{
     {EntryError::DigitsSwapped, 0.20},
     {EntryError::OneDigitWrong, 0.25},
@@ -86,7 +86,7 @@ std::string moved(std::string_view typed, const Parts& parts, int seconds) {
   return text;
 }
 
-/// Does the text begin with a zero before another digit? Such texts have a style of their own.
+/// Does the text begin with a zero before another digit? A correction never introduces such a zero.
 bool startsWithZero(std::string_view text) {
   return text.size() > 1 && text[0] == '0' && isDigit(text[1]);
 }

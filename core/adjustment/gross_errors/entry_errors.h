@@ -24,14 +24,14 @@ double entryErrorShare(EntryError error);
 
 /// A text that may have been intended.
 struct IntendedText {
-  EntryError error = EntryError::OneDigitWrong;  ///< the more probable one if two lead to the same text
-  std::string text;                              ///< in the style of the typed one
+  EntryError error = EntryError::OneDigitWrong;  ///< the more probable error if two lead to the same text
+  std::string text;                              ///< in the style of the typed text
   double prior = 0;                              ///< the kind's share divided by the number of its texts
 };
 
-/// The possible intended texts of an angle, one entry error away from the typed text; each once, without the
-/// typed one. Texts may be out of range. Errors of a degree, of minutes or of ten seconds need a text in
-/// degrees, minutes and seconds; other texts only have digits changed.
+/// The possible intended texts of an angle, one entry error away from the typed text. Each occurs once, the
+/// typed text never. Texts may be out of range. Errors of a degree, of minutes or of ten seconds need a text
+/// in degrees, minutes and seconds; other texts only have digits changed.
 std::vector<IntendedText> intendedTexts(std::string_view typed);
 
 }  // namespace alidade

@@ -26,7 +26,7 @@ struct TestedReading {
   ReadingRef cell;
   double sigma = 0;  ///< rad
   std::size_t visit = 0;
-  double along = 0;     ///< its share of the unit direction of ∂/∂φ
+  double along = 0;     ///< its component of the unit vector along ∂/∂φ
   double residual = 0;  ///< in σ
 };
 
@@ -77,7 +77,7 @@ class Projector {
   static constexpr std::size_t kinds = 3;
   MatrixXd m_cofactor;
   std::vector<TestedReading> m_readings;
-  MatrixXd m_reduced;  ///< derivatives of each with respect to the unknowns, with the arc angle eliminated
+  MatrixXd m_reduced;  ///< ∂reading/∂unknowns, a column for each reading, with the arc angle eliminated
   VectorXd m_redundancies;
   std::vector<std::vector<std::uint32_t>> m_slots;  ///< for each arc: the reading of a cell
 
@@ -130,7 +130,7 @@ class Search {
   };
 
   /// A sighting that is the only one of its visit. Its two circles give a single condition, its distance from
-  /// the arc, so it is left out as a whole. The circle with the smaller error is named.
+  /// the arc. The sighting is left out as a whole, and the circle with the smaller error is named.
   struct LeftOut {
     ReadingRef cell, other;
     double size = 0, sigma = 0;  ///< rad; σ scaled by the scatter of the other readings
@@ -156,7 +156,7 @@ class Search {
     adjust();
   }
 
-  /// A first fit without the deviating rows: these are moved onto the circle of the others.
+  /// Makes a first fit with the deviating rows moved onto the circle of the other rows.
   void fitWithoutApart() {
     m_shifted = m_measurement;
     const bool isKnown =
@@ -212,7 +212,7 @@ class Search {
 
   std::size_t errorCount() const { return m_shifts.size() + m_leftOut.size(); }
 
-  /// Measures how far each omitted sighting is from the arc of the others, and chooses the circle to name.
+  /// Measures how far each omitted sighting is from the fitted arc, and chooses the circle to name.
   void measureLeftOut() {
     const JointProblem problem(m_shifted, m_options.fit);
     JointState state = problem.stateOf(m_fit);
@@ -309,7 +309,7 @@ class Search {
     }
   }
 
-  /// The next fit starts from the result of this one.
+  /// Makes the next fit start from the circles of the last fit.
   void startFromFit() {
     if (!m_fit.converged()) return;
     for (std::size_t arc = 0; arc < m_circles.size(); ++arc) m_circles[arc] = m_fit.circleOf(arc);

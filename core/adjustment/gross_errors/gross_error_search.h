@@ -13,16 +13,16 @@ namespace alidade {
 
 // The situation: a few readings were misread or mistyped, by anything from some noise to many degrees, and
 // any reading may be affected. Each is modelled as shifted by an unknown amount, and the shift is tested. A
-// majority of rows determines the start (robust_start.h). From there, readings are added to those named as
-// misread and removed again, until every named one is significant and the others are not. The fit is repeated
-// with the shifts subtracted, so that linear theory holds for shifts of any size.
+// majority of rows determines the start (robust_start.h). From there, readings are named as misread or
+// cleared again, until every named reading is significant and no other is. The fit is repeated with the
+// shifts subtracted, so that linear theory holds for shifts of any size.
 //
 // The scale of the noise is estimated from the readings neither named nor tested, so the test value is
 // Student's t (`ReadingTest`). Source of the test: W. Baarda, "A testing procedure for use in geodetic
 // networks" (1968); A. J. Pope, "The statistics of residuals and the detection of outliers" (1976).
 //
 // Undetectable: an error along the arc in a visit without a second face or slider reading, because the slider
-// could have been there. In such a visit errors of both circles leave the same residual, so they are
+// may have been there. In such a visit, errors of both circles leave the same residual and are
 // indistinguishable; the other circle is then among `rivals`.
 
 struct GrossError {
@@ -32,8 +32,8 @@ struct GrossError {
   Angle size;
   Angle sigma;             ///< of the size, scaled by the scatter of the sound readings
   double studentised = 0;  ///< t of the size
-  /// Readings of the same visit that would explain the misfit equally well (χ² within 9 of this one, in units
-  /// of the noise).
+  /// Readings of the same visit whose shift explains the misfit nearly as well: χ² is larger by less than 9,
+  /// in units of the noise.
   std::vector<ReadingRef> rivals;
 };
 
@@ -49,16 +49,16 @@ struct GrossErrorSearch {
   std::vector<GrossError> grossErrors;  ///< the most certain first
   JointFit fit;                         ///< of all readings, with the shifts of the misread ones subtracted
   std::vector<ReadingRef> leftOut;      ///< both circles of the omitted sightings, named or not
-  double noiseFactor = 1;               ///< scatter of the sound readings divided by the stated one
+  double noiseFactor = 1;               ///< scatter of the sound readings divided by the stated σ
   int degreesOfFreedom = 0;             ///< of `noiseFactor`; 0 or less: tests were impossible
   double criticalValue = 0;             ///< |t| from which a reading is named; 0 without a test
 };
 
-/// Every arc must determine a circle (`fitArc` succeeds). If asked to stop, it soon returns an empty result.
+/// Every arc must determine a circle (`fitArc` succeeds). Soon returns an empty result after a stop request.
 GrossErrorSearch searchGrossErrors(const Measurement& measurement, const GrossErrorOptions& options = {},
                                    const std::stop_token& stop = {});
 
-/// The measurement with `size` subtracted from a reading.
+/// Subtracts `size` from a reading of the measurement.
 void shiftReading(Measurement& measurement, const ReadingRef& cell, Angle size);
 
 }  // namespace alidade

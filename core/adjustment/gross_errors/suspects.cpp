@@ -16,7 +16,7 @@ namespace {
 
 constexpr double leastShare = 0.01;              ///< of a proposal worth showing
 constexpr double leastShareAmongSeveral = 0.95;  ///< of a proposal if there are other suspects
-/// Largest deviation of a corrected place, in units of the others' scatter: beyond it there is another error.
+/// Largest deviation of a corrected place, in units of the scatter of all others; more means another error.
 constexpr double mostOffSpacing = 12;
 constexpr std::size_t mostProposals = 5, mostUnusableRows = 12;
 
@@ -70,7 +70,7 @@ class SuspectSearch {
       nameCells(visit, tried, errors.front().studentised);
       return;
     }
-    // The visit has more than one entry error, or one that no correction explains.
+    // The visit has more than one entry error, or an error that no correction explains.
     for (const GrossError& one : errors) {
       std::vector<GrossError> others = errors;
       std::erase_if(others, [&](const GrossError& m) { return m.cell == one.cell; });
@@ -174,7 +174,7 @@ class SuspectSearch {
     const Visited usable = m_trials.visitOf(arc, roundOf(row), pointOf(row));
     const VisitCheck check = m_trials.checkOf(usable);
     if (!check.canCheck()) return;
-    // The row itself may be right, with its face or point taken by another row.
+    // The row itself may be right if another row states its face or point by mistake.
     const Visited alone{arc, usable.round, usable.point, {row}};
     if (m_trials.agreesAsTyped(alone, check)) return;
     Visited all = usable.with(row);

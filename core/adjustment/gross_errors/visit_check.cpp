@@ -81,7 +81,7 @@ struct Prediction {
   MatrixXd cofactor;
 };
 
-/// Keeps the unknowns; the arc angle of the only visit is adjusted.
+/// Adjusts the arc angle of the only visit, with the unknowns fixed.
 JointState withArcAngleAdjusted(const JointProblem& problem, JointState state) {
   const VectorXd noStep = VectorXd::Zero(static_cast<Index>(problem.estimated().size()));
   for (int iteration = 0; iteration < 12; ++iteration) {
@@ -111,7 +111,7 @@ struct VisitCheck::Content {
   std::vector<Unknown> unknowns;  ///< of the probe
   VectorXd values;
   MatrixXd cofactor;
-  double variance = 1;  ///< of the noise, in units of the stated one
+  double variance = 1;  ///< of the noise, in units of the stated variance
   double freedom = 0;
   Spacing spacing;
 

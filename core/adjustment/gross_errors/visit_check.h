@@ -22,8 +22,8 @@ struct VisitAgreement {
 
 /// The situation: rows of one visit are in question. Every other reading is fitted, and possible intended
 /// rows are compared with that fit. The target may be anywhere on the arc. But if the other places are evenly
-/// spaced by their point numbers, a place that keeps the spacing is more probable. The scatter about even
-/// spacing determines how much more. A single place off the spacing is never excluded (Student's distribution
+/// spaced by their point numbers, a place that keeps the spacing is more probable; the scatter about even
+/// spacing determines by how much. A single place off the spacing is never excluded (Student's distribution
 /// with 3 degrees of freedom).
 class VisitCheck {
  public:

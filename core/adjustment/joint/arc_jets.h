@@ -13,7 +13,7 @@ namespace alidade {
 // it. Each stage has derivatives with respect to its own quantities; the chain rule joins them. Jets have a
 // fixed size, which the compiler unrolls.
 
-/// Rounds up to an even size, which is faster.
+/// Rounds up to an even size, with which jets are faster.
 constexpr int evenSize(int slots) {
   return slots + slots % 2;
 }

@@ -97,8 +97,8 @@ class ArcApart {
     return {m_unknowns.circle.x, m_unknowns.circle.y - m_line.height(), m_unknowns.circle.radius, zero};
   }
 
-  /// Fills the arc's own values in `fit`, which has room for all, and its readings from `next` on.
-  /// `gradient`: ∂Δd/∂y of the centre.
+  /// Fills in the arc's own values in `fit`, which has room for all arcs, and the arc's readings from `next`
+  /// on. `gradient`: ∂Δd/∂y of the centre.
   void fillReadings(JointFit& fit, AdjustedReading* next, double gradient) const {
     const auto sigmaOf = [&](ReadingKind kind) { return statedSigma(m_measurement, kind).radians(); };
     const std::array sigmas{sigmaOf(ReadingKind::Horizontal), sigmaOf(ReadingKind::Vertical),
@@ -229,7 +229,7 @@ void addConsidered(JointFit& fit, const Measurement& measurement) {
   fit.consideredSigmas.push_back(measurement.sigmaDistance);
 }
 
-/// Combines the matrices of the arcs; these share only the distance and, if it is common, the zero.
+/// Combines the matrices of the arcs, which share only the distance and a common zero.
 void fillMatrices(JointFit& fit, const std::vector<ArcApart>& arcs) {
   const std::size_t size = fit.unknowns.size(), width = fit.considered.size();
   fit.cofactor = {size, std::vector<double>(size * size)};

@@ -60,7 +60,7 @@ class JointDescent {
     return m_problem.moved(state, system.equations, solveScaled(damped, system.rightSide.head(m_estimated)));
   }
 
-  /// True if all radii are positive: a negative one gives the same circle with arc angles half a turn off.
+  /// True if all radii are positive: a negative radius gives the same circle with arc angles half a turn off.
   bool isPossible(const JointState& state) const {
     for (std::size_t i = 0; i < m_problem.estimated().size(); ++i)
       if (m_problem.estimated()[i].kind == Unknown::Kind::Radius &&
@@ -91,8 +91,8 @@ VectorXd intersectionGradient(const Measurement& measurement, const std::vector<
   return gradient;
 }
 
-/// The inverse of the normal matrix without error terms. These are the last estimated unknowns; their entries
-/// are zero.
+/// The inverse of the normal matrix without error terms. The error terms are the last estimated unknowns;
+/// their entries are zero.
 MatrixXd withoutTerms(const MatrixXd& normalMatrix, const JointProblem& problem) {
   const auto isTerm = [](const Unknown& unknown) { return unknown.kind == Unknown::Kind::Error; };
   const auto estimated = static_cast<Index>(problem.estimated().size());

@@ -17,7 +17,7 @@
 
 namespace alidade {
 
-// The situation: arcs at one or two rotations of the axis were sighted from one stand, some of them again.
+// The situation: arcs at one or two rotations of the axis were sighted from one stand, some repeatedly.
 // Rounds, faces, slider readings and missing points are mixed in any way. Both circles and the slider of each
 // row are observations of the one forward model (observe.h), and one least squares adjustment of all of them,
 //
@@ -71,7 +71,7 @@ struct EstimatedTerm {
 /// One reading after the adjustment.
 struct AdjustedReading {
   std::size_t arc = 0;       ///< index into the measurement's arcs
-  std::size_t sighting = 0;  ///< index into the arc's sightings; for a slider reading, its row
+  std::size_t sighting = 0;  ///< index into the arc's sightings; for a slider reading, that of its row
   ReadingKind kind = ReadingKind::Horizontal;
   std::uint32_t visit = 0;  ///< number among the visits of its arc
   double residual = 0;      ///< observed minus adjusted, rad; up positive for the vertical circle
@@ -81,8 +81,8 @@ struct AdjustedReading {
 
   /// Does another reading check this one? If so, the redundancy exceeds rounding error.
   bool isChecked() const { return redundancy >= 1e-9; }
-  /// The standardised residual w = v/(s0 σ √r) at noise `scale` times (s0 > 0) the stated one: of variance 1
-  /// if the reading is sound (Baarda 1968). NaN if no other reading checks it.
+  /// The standardised residual w = v/(s0 σ √r), with s0 = `scale` > 0; its variance is 1 for a sound reading
+  /// (Baarda 1968). NaN if no other reading checks this one.
   double standardised(double scale) const {
     return isChecked() ? residual / (scale * sigma * std::sqrt(redundancy))
                        : std::numeric_limits<double>::quiet_NaN();
@@ -100,14 +100,14 @@ struct JointFitOptions {
   std::vector<EstimatedTerm> terms = {};
   /// `Sighting::order` of the first row after the orientation jumped; the terms of a jump act from there on.
   std::optional<std::size_t> jumpBefore = {};
-  /// The first row on which these terms no longer act, as its zero was sighted after the jump; absent: none.
+  /// `Sighting::order` of the first row whose zero was sighted after the jump; the jump acts only before it.
   std::optional<std::size_t> jumpEnd = {};
   /// The model of one rigid guideway turned about an axis along x, in place of the measurement's own radius
   /// model. Both positions share one radius and one x. The pointing zeros are estimated with their stated σ
-  /// as priors, since a wrong one then leaves residuals.
+  /// as priors, since a wrong zero leaves residuals in this model.
   bool isClosed = false;
-  /// Each arc, even of the same axis, has its own centre and radius and keeps the zero read, to show how they
-  /// disagree. Not for a closed model.
+  /// Each arc, even of the same axis, has its own centre and radius and keeps the zero read, to show how the
+  /// arcs disagree. Excludes a closed model.
   bool isApart = false;
   /// The pointing zeros are estimated even if no axis is measured again: for a part of a session whose fit
   /// estimates them.
@@ -123,17 +123,17 @@ struct JointFitOptions {
 struct JointFit {
   std::vector<Unknown> unknowns;    ///< estimated
   std::vector<double> values;       ///< of the unknowns: mm, rad, or the unit of the term
-  std::vector<std::size_t> firsts;  ///< for each arc the one whose centre and radius it shares
+  std::vector<std::size_t> firsts;  ///< for each arc, the arc whose centre and radius it shares
   /// Prior σ of each unknown, such as of a known radius or a zero of a closed model; infinite without prior
   /// knowledge.
   std::vector<double> priorSigmas;
-  /// Covariance of the unknowns from the stated σ of circles and slider, and the priors, only.
+  /// Covariance of the unknowns, only from the stated σ of circles and slider and from the priors.
   SquareMatrix cofactor;
   /// The cofactor with the error terms fixed; equal to `cofactor` without terms.
   SquareMatrix cofactorWithoutTerms;
 
-  bool zerosAreReadings = false;         ///< of the measurement
-  double zeroScatter = 1;                ///< of the measurement; already included in the σ of its zeros
+  bool zerosAreReadings = false;         ///< as `Measurement::zerosAreReadings`
+  double zeroScatter = 1;                ///< as in the measurement, whose σ of zeros already include it
   std::vector<Unknown> considered;       ///< zeros and distance
   std::vector<double> consideredSigmas;  ///< rad, mm; may be 0
   /// ∂unknown/∂considered, unknowns × considered, row by row.
@@ -152,8 +152,8 @@ struct JointFit {
   /// converge and the σ of a centre or radius exceeds the smallest radius.
   FitStatus status = FitStatus::Undetermined;
 
-  /// Index of an unknown; `unknowns.size()` if this fit lacks it. For a shared centre or radius any of its
-  /// arcs may be given.
+  /// Index of an unknown; `unknowns.size()` if this fit lacks it. For a shared centre or radius, `arc` may be
+  /// any arc that shares it.
   std::size_t indexOf(const Unknown& unknown) const;
   bool converged() const { return status == FitStatus::Converged; }
   /// If false, `chiSquare`, `values` and all results derived from them are meaningless.
@@ -162,7 +162,7 @@ struct JointFit {
   Circle circleOf(std::size_t arc) const;
 };
 
-/// Starts from `starts`, one circle for each arc of the measurement. `status` says whether it found the
+/// Starts from `starts`, one circle for each arc of the measurement. `status` says whether the fit found the
 /// minimum, or why not.
 JointFit fitJointly(const Measurement& measurement, const std::vector<Circle>& starts,
                     const JointFitOptions& options = {});

@@ -47,7 +47,7 @@ void addNormalEquations(SlotSystem& sum, const VisitEquations& equations) {
   Eigen::Map<Vector> rightSide(sum.rightSide.data(), columns);
   for (Index i = 0; i < rows; ++i) {  // by rows: inner products this short are slower
     const Vector row = reduced.row(i).transpose();
-    if constexpr (Columns == Eigen::Dynamic)  // only half of it: with many terms this dominates the time
+    if constexpr (Columns == Eigen::Dynamic)  // only half the matrix: with many terms this takes most time
       for (Index j = 0; j < columns; ++j) matrix.col(j).tail(columns - j) += row[j] * row.tail(columns - j);
     else
       matrix += row.lazyProduct(row.transpose());
@@ -277,7 +277,7 @@ Pointing JointProblem::zeroPointing(const ArcMeasurement& arc) const {
   pointing.circle = m_measurement.verticalCircle;
   pointing.relation = m_measurement.relation;
   pointing.elapsed = arc.zero.elapsed;
-  // `linearise` requests a jump before everything, which means a jump just after the zeros.
+  // A jump before everything, which `linearise` requests, counts as a jump just after the zeros.
   if (!arc.zeroSightings.empty() && m_jumpBefore.value_or(0) > 0)
     pointing.jumpShare =
         static_cast<double>(std::ranges::count_if(
@@ -491,8 +491,8 @@ void JointProblem::fillEquations(const Jets& jets, const JointState& state, std:
   using InstrumentJet = typename Jets::InstrumentJet;
   const GuidewayJet phi =
       Jets::template variable<GuidewayJet>(state.arcAngles[static_cast<Index>(visitIndex)], Jets::angleSlot);
-  // Set for each row, since the user's own effects may differ between the rows of a visit; unset without
-  // them.
+  // Set for each row, since the user's own effects may differ between the rows of a visit. Unset if the model
+  // has no own effects.
   std::optional<OwnPlace> own;
   const auto placeAt = [&]() {
     return roomFromZeroLine(

@@ -70,7 +70,7 @@ class JointProblem {
   /// a nanometre survives rounding.
   const Prior& prior(std::size_t i) const { return m_priors[i]; }
   const std::vector<VisitOfArc>& visits() const { return m_visits; }
-  /// For each arc the one whose centre and radius it shares.
+  /// For each arc, the arc whose centre and radius it shares.
   const std::vector<std::size_t>& firsts() const { return m_firsts; }
 
   JointState start(const std::vector<Circle>& circles) const;
@@ -81,7 +81,7 @@ class JointProblem {
   VisitEquations equationsOf(const JointState& state, std::size_t visit) const;
   /// Returns the equations of every visit.
   std::vector<VisitEquations> equationsOf(const JointState& state) const;
-  /// Calls `take` with the equations of each visit in turn; only those of one visit are in memory.
+  /// Calls `take` with the equations of each visit in turn; only the equations of one visit are in memory.
   void eachVisit(const JointState& state,
                  const std::function<void(std::size_t visit, const VisitEquations&)>& take) const;
   /// `used`: a discarded system whose memory the new one reuses.

@@ -14,7 +14,7 @@ namespace {
 
 using Eigen::Index;
 
-/// A σ below this counts as exact in any unit, as its squared weight would not be finite.
+/// A σ below this counts as exact in any unit, because its squared weight is not finite.
 constexpr double asGoodAsZero = 1e-100;
 
 /// The options of the fit with missing `terms` added at zero; a missing jump is added before every row.

@@ -49,9 +49,9 @@ struct Linearised {
   std::vector<LinearReading> readings;  ///< visit after visit
   std::size_t visits = 0;
   std::vector<Unknown> unknowns;    ///< circles, slider zeros, pointing zeros and distance; no error terms
-  std::vector<std::size_t> firsts;  ///< for each arc the one whose centre and radius it shares
-  /// Prior of each unknown, relative to its value in the fit, mm or rad: a known radius and the considered
-  /// ones as stated, σ 0 if exact.
+  std::vector<std::size_t> firsts;  ///< for each arc, the arc whose centre and radius it shares
+  /// Prior of each unknown, relative to its value in the fit, mm or rad. A known radius and the considered
+  /// unknowns have their stated σ, 0 if exact.
   std::vector<Prior> priors;
   std::vector<Condition> conditions;  ///< empty after `linearise`; callers with further knowledge add them
   /// Values of the terms in the fit.
@@ -95,8 +95,8 @@ Linearised linearise(const Measurement& measurement, const JointFit& fit, const 
                      const std::vector<ErrorTerm>& terms = everyTerm());
 
 /// Linearises readings, such as planned ones, on these circles, one for each arc, without a fit. Delivers
-/// pieces of whole visits, each as if the other readings were excluded, since all equations of a large plan
-/// would fill the memory.
+/// pieces of whole visits, since all equations of a large plan would fill the memory. Each piece treats all
+/// other readings as excluded.
 void linearise(const Measurement& measurement, const std::vector<Circle>& circles,
                const JointFitOptions& options, const std::vector<ErrorTerm>& terms,
                const std::function<void(const Linearised& piece)>& take);

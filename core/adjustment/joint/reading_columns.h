@@ -40,7 +40,7 @@ class ReadingColumns {
     const std::span<const double> values = of(kind, column);
     return values.empty() ? 0 : values[number];
   }
-  /// The column over all readings of the kind; empty if it is 0 for every one.
+  /// The column over all readings of the kind; empty if all its values are 0.
   std::span<const double> of(ReadingKind kind, std::size_t column) const {
     return m_kinds[static_cast<std::size_t>(kind)].columns[column];
   }

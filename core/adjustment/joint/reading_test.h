@@ -6,8 +6,8 @@
 
 namespace alidade {
 
-/// The test that names a misread reading (`searchGrossErrors`): t is the shift that would explain its misfit
-/// divided by the shift's σ, scaled by the others' scatter. For a sound reading t has Student's distribution.
+/// The test that names a misread reading (`searchGrossErrors`): t is the shift that explains the misfit,
+/// divided by its σ, scaled by the scatter of all others. For a sound reading t has Student's distribution.
 struct ReadingTest {
   static constexpr double usualRisk = 0.01;
   /// Below this redundancy a reading is not tested: its shift is undetermined. Its error also shows in the
@@ -28,8 +28,8 @@ struct ReadingTest {
   double detectableShift(double power) const;
 };
 
-/// The number of different tests of single readings: both circles of a visit of one row give the same test.
-/// `readings`: visit by visit.
+/// The number of different tests of single readings. In a visit of one row without a slider reading, both
+/// circles give the same test. `readings`: visit by visit.
 int differentTests(const std::vector<AdjustedReading>& readings);
 
 }  // namespace alidade

@@ -21,17 +21,17 @@ struct Detection {
 /// s0 of the fit (`noiseScale`).
 Detection detectionIn(const JointFit& fit, double scale, double power = 0.80);
 
-/// The reliability of one reading: how well the others check it, after Baarda, "A testing procedure for use
-/// in geodetic networks" (1968), for the test in use.
+/// The reliability of one reading: how well other readings check it, after Baarda, "A testing procedure for
+/// use in geodetic networks" (1968), for the test in use.
 struct Reliability {
   /// The smallest error of the reading that the test finds at the requested power: δ s0 σ/√r, with δ the
-  /// detectable shift, σ stated and r the redundancy. Example, first reading of Table I: 34 places make as
-  /// many tests at 1 % in all, |t| from 4.152 on with 27 degrees of freedom, so δ = 5.080; with s0 = 6.912, σ
-  /// = 2″ and r = 0.612 it is 89.8″. (A normal test of one reading alone at 0.1 % in the stated noise would
-  /// find 10.6″.) A gross error included in s0 makes it larger. Infinite if no other reading checks it, or if
-  /// the fit has fewer than two degrees of freedom.
+  /// detectable shift, σ stated and r the redundancy. Example, first reading of Table I: 34 places make 34
+  /// tests at a joint risk of 1 %. With 27 degrees of freedom |t| must reach 4.152, and δ = 5.080. With s0 =
+  /// 6.912, σ = 2″ and r = 0.612 the error is 89.8″. (A normal test of one reading alone at 0.1 % in the
+  /// stated noise would find 10.6″.) A gross error included in s0 makes the value larger. Infinite if no
+  /// other reading checks the reading, or if the fit has fewer than two degrees of freedom.
   Angle minimalDetectableBias;
-  double influence = 0;  ///< effect of such an undetected error on Δd, mm, signed as the error; if the
+  double influence = 0;  ///< effect on Δd of an undetected error of this size, mm, of the same sign; if the
                          ///< bias is infinite: infinite, or 0 if the reading does not affect Δd
 };
 

@@ -18,7 +18,7 @@ bool haveNothingInCommon(const Measurement& fitted) {
 
 namespace {
 
-/// The readings of an arc, visit by visit, each of the same number of rows.
+/// The readings of an arc, visit by visit. All visits have the same number of rows.
 struct VisitColumns {
   std::vector<double> a, e;        ///< rad
   std::vector<std::size_t> noise;  ///< index of each row's noise in a draw

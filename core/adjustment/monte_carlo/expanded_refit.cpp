@@ -18,7 +18,7 @@
 //   δ ← δ + N⁻¹ [(J + H δ)ᵀ (r + w − J δ − ½ δᵀ H δ) − prior terms],
 //
 // with arc angles eliminated visit by visit. The first step is the linear propagation, the second includes
-// all of second order; further ones follow until they are negligible. Eight draws are processed together.
+// the second order; further steps follow until they are negligible. Eight draws are processed together.
 
 namespace alidade {
 
@@ -187,8 +187,8 @@ class ExpandedModel {
         for (std::size_t i = 0; i < slots(); ++i) {
           const auto difference = above[v].jacobian(static_cast<Index>(row), m_slots[i]) -
                                   below[v].jacobian(static_cast<Index>(row), m_slots[i]);
-          second[i * slots() + slot] += difference / apart / 2;  // half of it in each of the two symmetric
-                                                                 // entries
+          second[i * slots() + slot] += difference / apart / 2;  // half of the difference in each of the
+                                                                 // two symmetric entries
           second[slot * slots() + i] += difference / apart / 2;
         }
       }
@@ -219,8 +219,8 @@ class ExpandedModel {
 
 namespace {
 
-/// Adds (J + Hδ)ᵀ v of one visit over its slots, where v are its residuals at δ. The first time, δ contains
-/// only L and H is omitted.
+/// Adds (J + Hδ)ᵀ v of one visit over its slots, where v are its residuals at δ. In the first step δ contains
+/// only L, and H is omitted.
 ALIDADE_WIDE void addGradient(const ExpandedModel& model, const VisitBlock& visit, const EightKept* normals,
                               const EightKept& scale, const EightKept* delta, bool isFirst,
                               EightKept* gradient) {

@@ -34,8 +34,8 @@ class Refits {
   }
 
  private:
-  /// Does the expansion agree with the fit itself? Tested on separate draws: to a thousandth of σ in every
-  /// centre, at most a fifth of the numerical tolerance.
+  /// Does the expansion agree with the fit itself? Separate draws must agree to a thousandth of σ in every
+  /// centre, which is at most a fifth of the numerical tolerance.
   bool holds(std::uint64_t seed) const {
     constexpr std::size_t probes = 64;
     constexpr std::uint64_t apart = std::uint64_t{1} << 63;
@@ -73,7 +73,7 @@ class Columns {
     for (std::vector<double>& column : m_values) column.resize(draws, missingCentre);
   }
 
-  /// A draw is missing as a whole if any of its values is.
+  /// A draw is missing as a whole if any of its values is missing.
   void put(std::size_t draw, std::span<const double> centres) {
     const bool isThere = std::ranges::all_of(centres, [](double value) { return std::isfinite(value); });
     for (std::size_t i = 0; i < centres.size(); ++i) m_values[i][draw] = isThere ? centres[i] : missingCentre;
@@ -168,8 +168,8 @@ double numericalTolerance(double sigma) {
   return sigma > 0 ? 0.5 * std::pow(10, std::floor(std::log10(sigma)) - 1) : 0;
 }
 
-/// Standard uncertainty of the end of an interval with a share of (1 − coverage)/2 beyond it: √(p(1 −
-/// p)/M)/density, where the density is normal with that σ.
+/// Standard uncertainty of the end of an interval beyond which lies the share p = (1 − coverage)/2 of M
+/// draws: √(p(1 − p)/M)/density. The density is that of a normal distribution with this σ.
 double endpointSigma(double coverage, double sigma, std::size_t draws) {
   const double outside = (1 - coverage) / 2;
   const double z = normalQuantile(1 - outside);
@@ -221,9 +221,9 @@ bool isAnswered(const MonteCarlo& result) {
   return !result.intersection || result.linear != LinearPropagation::Undecided;
 }
 
-/// The number of draws needed for a decision. Chance must then be smaller than the tolerance and, if an end
-/// differs by more than the tolerance, than the excess. At least twice as many as before, as the first
-/// attempt may not suffice.
+/// The number of draws needed for a decision, at least twice the draws so far. Three standard uncertainties
+/// of an end must fit within the tolerance. If an end differs by more than the tolerance, they must also fit
+/// within the excess.
 std::size_t drawsToDecide(const MonteCarlo& result, std::size_t drawn) {
   const double excess = worstOf(result) - result.tolerance;
   const double room = excess > 0 ? std::min(result.tolerance, excess) : result.tolerance;

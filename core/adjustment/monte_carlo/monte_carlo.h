@@ -14,15 +14,14 @@ namespace alidade {
 
 // Checks the linear budget by propagating distributions (JCGM 101:2008). Each draw takes every input from its
 // distribution about the value read, and fits again. The inputs are readings, both pointing zeros of each
-// position, the distance and, if known, the radius. If the arcs are independent, the draws use the fast
-// fit of arcs. Otherwise they use the forward model to second order about the fit, if this model agrees with
-// general fits to a thousandth of σ, else the general fits. So all refits agree with the general ones to that
-// accuracy.
+// position, the distance and, if known, the radius. If the arcs are independent, the draws use the fast fit
+// of arcs. Otherwise they use the forward model to second order about the fit. If this model deviates from
+// general fits by more than a thousandth of σ or is too large for the memory, they use general fits.
 //
 // Zeros, distance, radius and the priors of estimated effects are normal with their stated σ. Readings, and
 // zeros that scatter like them, are normal with σ scaled by s0 as in the budget. If s0 has f degrees of
-// freedom, each draw divides s0 by √(χ²_f/f), which makes them Student with f (JCGM 101, 6.4.9). So σ exceeds
-// the budget's by up to √(f/(f − 2)), for which k compensates in the budget.
+// freedom, each draw divides s0 by √(χ²_f/f), which gives Student's distribution with f (JCGM 101, 6.4.9).
+// The σ of the draws exceeds the budget's by up to √(f/(f − 2)), for which k compensates in the budget.
 
 /// Maximum number of draws if their number is unspecified: some 200 MB of memory.
 inline constexpr std::size_t mostDrawsLeftOpen = 5'000'000;
@@ -43,10 +42,10 @@ struct Spread {
   double mean = 0, sigma = 0, low = 0, high = 0;
 };
 
-/// Does the linear budget hold (clause 8)?
+/// Does the linear budget hold (clause 8)? With `mostDrawsLeftOpen` draws, chance no longer counts.
 enum class LinearPropagation {
-  Validated,  ///< both ends of y ± U are within the numerical tolerance of the interval's ends
-  Refuted,    ///< one of them deviates by more than chance in the draws explains
+  Validated,  ///< both ends of Δd ± U are within the numerical tolerance of the interval's ends
+  Refuted,    ///< an end deviates by more than the tolerance and chance in the draws
   Undecided,  ///< too few draws to decide; only if their number was specified
 };
 
@@ -62,7 +61,7 @@ struct MonteCarlo {
   double coverage = 0.95;             ///< of the intervals
   std::vector<CentreSpread> centres;  ///< one for each axis
 
-  /// The spread of Δd, with arcs at 0° and at 180°.
+  /// The spread of Δd; absent without an arc at 0° or at 180°.
   std::optional<Spread> intersection;
   double tolerance = 0;  ///< δ: half a unit of the second significant digit of the budget's σ (7.9.2), mm
   double lowDifference = 0;   ///< |Δd − U − low|, mm

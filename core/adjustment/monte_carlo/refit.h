@@ -31,7 +31,7 @@ class Refit {
  public:
   virtual ~Refit() = default;
 
-  /// Δx and Δy of each arc, draw after draw, mm; `missingCentre` for those not found.
+  /// Δx and Δy of each arc, draw after draw, mm; `missingCentre` for an arc without a fit.
   virtual void refit(std::span<const Draw> draws, std::span<double> centres) = 0;
 };
 

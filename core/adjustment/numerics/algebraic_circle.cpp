@@ -22,7 +22,7 @@ std::optional<Circle> algebraicCircle(const std::vector<PlanePoint<double>>& poi
     scatter += d * d.transpose();
     skew += d * d.squaredNorm();
   }
-  // The smaller eigenvalue grows with the square of the sagitta; at rounding error the sagitta is zero.
+  // The smaller eigenvalue grows with the square of the sagitta. At rounding error the points are on a line.
   const Vector2d spread = Eigen::SelfAdjointEigenSolver<Matrix2d>(scatter).eigenvalues();
   constexpr double straight = 1e-14;
   if (!(spread[0] > straight * spread[1])) return std::nullopt;

@@ -6,7 +6,7 @@ namespace alidade {
 
 // A Gauss-Newton step of an arc angle replaces the arc by its tangent. If the sighted point is at distance d
 // from the centre and θ away along the arc, the step is d/R sin θ. If d is many R, or the arc runs along the
-// line of sight, this is several turns. A bounded step keeps its sign. So from any start the point takes the
+// line of sight, this is several turns. A bounded step keeps its sign: from any start the point takes the
 // short way to its foot, and stays on its side of the circle.
 
 /// rad. Over this angle the tangent deviates from the arc by at most 4.5 % of R, so the step is reliable.

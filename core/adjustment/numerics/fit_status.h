@@ -4,7 +4,7 @@
 
 namespace alidade {
 
-/// The outcome of a fit. Outcomes are not errors.
+/// The outcome of a fit.
 enum class FitStatus : std::uint8_t {
   Converged,          ///< the minimum is nearer than the tolerance
   TooManyIterations,  ///< the iterations were used up before the minimum

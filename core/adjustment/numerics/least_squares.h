@@ -33,7 +33,7 @@ struct LeastSquaresOptions {
   /// start.
   double confirmation = std::numeric_limits<double>::infinity();
   double firstDamping = 1e-6;    ///< > 0
-  double largestDamping = 1e12;  ///< no descent once damping reaches it
+  double largestDamping = 1e12;  ///< `NoDescent` once the damping reaches it
 };
 
 /// `Problem` has

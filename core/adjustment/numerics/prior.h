@@ -14,7 +14,7 @@ struct Prior {
   // Terms of the whitened equation, in units of σ > 0; 0 without prior knowledge.
   /// Derivative with respect to the quantity.
   double derivative() const { return 1 / sigma; }
-  /// Observed minus value.
+  /// Prior value minus the value `at`.
   double residual(double at) const { return (value - at) / sigma; }
   /// The contribution to the diagonal of the normal equations.
   double weight() const { return 1 / (sigma * sigma); }

@@ -23,7 +23,7 @@ struct LengthsInDoubt {
   };
 
   double distance = 0, nominalRadius = 0;  ///< as typed, mm
-  std::optional<Radius> radius = {};       ///< the deviating one; absent if the distance is too short
+  std::optional<Radius> radius = {};       ///< the deviating radius; absent if the distance is too short
 };
 
 }  // namespace alidade

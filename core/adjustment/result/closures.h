@@ -25,14 +25,14 @@ struct Closure {
     Repeat,         ///< Δx, Δy or R of a repeated position minus that of the first at its axis
     Reference,      ///< Δd minus the reference
     ZeroAzimuth,    ///< α0 of a later position minus that of the first, as a length at the distance L
-    ZeroElevation,  ///< likewise for the elevations of the zeros, up positive
+    ZeroElevation,  ///< the same difference of elevations, up positive
   };
 
   Of of = Of::Radius;
   double value = 0;   ///< misclosure, mm
   double sigma = 0;   ///< its standard uncertainty, mm, from readings (by s0), effects, pointing zeros,
                       ///< distance and the known value
-  double chance = 1;  ///< probability that these alone cause such a misclosure or a larger one, 0…1
+  double chance = 1;  ///< probability that the sources of σ alone cause this size or more, 0…1
 
   /// The position, by its axis and repeat, and the quantity.
   struct Repeated {
@@ -41,7 +41,7 @@ struct Closure {
 
     bool operator==(const Repeated&) const = default;
   };
-  std::optional<Repeated> repeated = {};  ///< of a Repeat; for zeros only the later position
+  std::optional<Repeated> repeated = {};  ///< of a Repeat; for zeros, only the later position is set
 
   bool isOfZeros() const { return of == Of::ZeroAzimuth || of == Of::ZeroElevation; }
   /// Its size in σ.
@@ -59,16 +59,16 @@ std::string_view nameOf(Closure::Of of);
 /// the list is empty if the fit is undetermined.
 std::vector<Closure> closuresOf(const Measurement& measurement, const JointFit& fit);
 
-/// Fits every arc with its own centre and radius (`JointFitOptions::isApart`), if an axis is measured again
-/// and the readings determine all of them. `starts`, `options`: of the fit with shared ones.
+/// Fits every arc with its own centre and radius (`JointFitOptions::isApart`). Absent if no axis is measured
+/// again or the readings do not determine every arc. `starts`, `options`: as for the common fit.
 std::optional<JointFit> fitApart(const Measurement& measurement, const std::vector<Circle>& starts,
                                  JointFitOptions options);
 
-/// Differences of repeated positions from the first at their axes, in the order taken; of radii only if these
-/// are free. `apart`: from `fitApart` of `measurement`.
+/// Differences of repeated positions from the first at their axes, in the order of the arcs; of radii only if
+/// these are free. `apart`: from `fitApart` of `measurement`.
 std::vector<Closure> repeatsOf(const Measurement& measurement, const JointFit& apart);
 
-/// Differences between zeros of one mark (`commonZeros`), in the order taken, minus the change of the
+/// Differences between zeros of one mark (`commonZeros`), in the order of the arcs, minus the change of the
 /// orientation by the error terms of `fit`. `options`: of `fit`; σ is √2 σ of a zero, independent of the
 /// scatter of readings.
 std::vector<Closure> zeroClosuresOf(const Measurement& measurement, const JointFit& fit,
@@ -80,8 +80,8 @@ struct Misclosure {
   double scaledSigma = 0;  ///< the part of σ that s0 scales
 };
 
-/// `quantity`: the radius or a coordinate of the centre; `first`, `other`: indices of the arcs, other minus
-/// first; `scale`: s0. Absent if they do not each have this unknown.
+/// `quantity`: the radius or a coordinate of the centre; `first`, `other`: indices of the arcs; value: other
+/// minus first; `scale`: s0. Absent unless the fit has an unknown of its own for each arc.
 std::optional<Misclosure> misclosureOf(const JointFit& fit, Unknown::Kind quantity, std::size_t first,
                                        std::size_t other, double scale);
 

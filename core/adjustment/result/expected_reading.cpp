@@ -14,9 +14,9 @@ namespace alidade {
 
 namespace {
 
-// Largest deviations within a visit and of a point between visits. A collimation or index error of some
-// minutes is not a typing error. Neither is a mark missed by some millimetres: the marks of the published
-// table differ by 1.3 mm between positions, at a radius of 400 mm.
+// Largest deviations within a visit, and of a point between visits. They allow for a collimation or index
+// error of some minutes and for a mark missed by some millimetres: the marks of the published table differ by
+// 1.3 mm between positions, at a radius of 400 mm.
 constexpr Angle sameVisit = Angle::fromArcseconds(360);
 constexpr Angle samePoint = Angle::fromArcseconds(900);
 constexpr double centreShare =
@@ -162,7 +162,7 @@ class Expectations {
   const SessionFit& m_fit;
   const NominalPlaces& m_nominal;
   Places m_places;
-  std::map<long long, PlaceOfPoint> m_offsets;  ///< offsets from nominal coordinates, for each of these
+  std::map<long long, PlaceOfPoint> m_offsets;  ///< mean offset from each nominal coordinate
   PlaceOfPoint m_offset;                        ///< mean over all coordinates
   std::optional<Line> m_line;
 };

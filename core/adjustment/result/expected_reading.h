@@ -12,11 +12,11 @@
 namespace alidade {
 
 // The situation: readings are being taken, and the next visit is known by its point, round and face. What
-// will the circles read? The slider returns to earlier marks in another round, face or position. So its
-// coordinate s follows from earlier readings of the same point; for a new point, from the line through the
-// known points. The arc is the fitted one of the position, else that of another position, else the nominal
-// one about the middle of the field. The instrument is assumed perfect: good enough for pointing and for
-// detecting typing errors, not for judging a reading.
+// will the circles read? The slider returns to earlier marks in another round, face or position. Its
+// coordinate s at a known point follows from earlier readings of the point; at a new point, from the line
+// through the known points. The arc is the fitted arc of the position, else of another position, else the
+// nominal arc about the middle of the field. A perfect instrument is assumed, which suffices for pointing and
+// for detecting typing errors, but not for judging a reading.
 
 /// One row that is still to be read.
 struct SightingToCome {
@@ -41,8 +41,8 @@ std::optional<ExpectedReading> expectedReading(const Measurement& measurement, c
                                                const SightingToCome& sighting);
 
 /// Returns the expected reading of each sighting, with the places of the points computed once. A place in
-/// `nominal` has the coordinate of the slider's earlier visit. Without one it has the nominal coordinate,
-/// corrected by the slider's mean offset so far.
+/// `nominal` has the coordinate of the slider's earlier visit. Without an earlier visit, it has the nominal
+/// coordinate, corrected by the slider's mean offset so far.
 std::vector<std::optional<ExpectedReading>> expectedReadings(const Measurement& measurement,
                                                              const SessionFit& fit,
                                                              const std::vector<SightingToCome>& sightings,

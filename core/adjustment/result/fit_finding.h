@@ -39,7 +39,7 @@ struct RadiusPoorlyKnown {
 struct RadiusFarFromNominal {
   double fitted = 0, nominal = 0;
 };
-/// Pairs of rows with the same two circle readings: the first such row and a further one, in order.
+/// Pairs of rows with the same two circle readings: the first row of a group and a further row, in order.
 struct ReadingsRepeat {
   std::vector<std::pair<std::size_t, std::size_t>> rows;
 };
@@ -52,7 +52,7 @@ using What = std::variant<NotConverged, NothingChecks, ScattersMore, ScattersLes
 /// Findings on the typed set-up data. `repeat` is always the repeat at the position's axis.
 namespace setup_finding {
 
-/// No theodolite focuses so near.
+/// No theodolite focuses at this distance.
 struct DistanceTooShort {
   double distance = 0, nominalRadius = 0;
 };
@@ -79,21 +79,21 @@ struct SlidersDiffer {
 struct ZerosAlike {
   std::size_t positions = 2;
 };
-/// The zeros differ by more than two sightings of one mark would; the session does not state what they sight.
+/// The zeros differ by more than sightings of one mark do; the session does not state what was sighted.
 struct ZerosDiffer {
   Angle horizontal, vertical;  ///< the greatest difference from the first
 };
 /// Rounding alone scatters the readings of one circle more than their stated σ.
 struct ReadingsRounded {
   bool isVertical = false;
-  Angle step;   ///< to which the readings are written
+  Angle step;   ///< to which the readings are rounded
   Angle sigma;  ///< stated
 };
 /// The zeros before and after the readings of the position differ by more than sightings scatter.
 struct ZeroMoved {
   int axisDeg = 0, repeat = 1;
-  Angle horizontal, vertical;            ///< as face 1 reads it
-  Angle sigmaHorizontal, sigmaVertical;  ///< of these differences
+  Angle horizontal, vertical;            ///< change of the zero, as read in face 1
+  Angle sigmaHorizontal, sigmaVertical;  ///< of this change
   double scatter = 1;                    ///< factor by which U assumes zeros to scatter more than stated
 };
 /// The zero in face 2 is ignored, since other positions have none.
@@ -136,11 +136,11 @@ struct UnknownEffect {
 struct KnownOfNothing {
   std::string effect, parameter, unit;
 };
-/// Rows differ in the corrections of the instrument, or only some state them; so they are ignored.
+/// Rows differ in the corrections of the instrument, or only some rows state any: all are ignored.
 struct CorrectionsDiffer {
   std::vector<std::string> switches;  ///< keys of their switches in a row
 };
-/// There are tilts, but no row states whether the instrument has corrected for them.
+/// Rows state tilts, but no row states whether the instrument has corrected for them.
 struct TiltsUnused {};
 /// The compensator reading changed from one position to another.
 struct AxisMoved {
@@ -172,7 +172,7 @@ struct FitFinding {
       session_finding::KnownOfNothing, session_finding::CorrectionsDiffer, session_finding::TiltsUnused,
       session_finding::AxisMoved, session_finding::CompensatorOff, session_finding::PlanarRelation>;
 
-  Severity severity = Severity::Warning;  ///< Error: it is the reason why an arc, or all of them, are missing
+  Severity severity = Severity::Warning;  ///< Error: the reason why one arc or all arcs are missing
   Place where;
   What what;
 };

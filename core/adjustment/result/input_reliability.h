@@ -7,8 +7,8 @@
 namespace alidade {
 
 /// The reliability of a number that was entered once and affects all readings of its position or of the
-/// session: a pointing zero, the distance, a known radius. The test of misread readings does not cover these,
-/// so it never names them, however large their error.
+/// session: a pointing zero, the distance, a known radius. The test of misread readings does not cover these
+/// inputs and never names them, however large their error.
 struct InputReliability {
   Unknown input;          ///< `arc` of a zero is an index into the fitted arcs
   double sigma = 0;       ///< stated, rad or mm; may be 0

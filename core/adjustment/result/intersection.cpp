@@ -111,7 +111,7 @@ double varianceOfSightedZeros(const JointFit& fit, const SquareMatrix& cofactor,
 double varianceOfReadings(const JointFit& fit, const SquareMatrix& cofactor, const Weights& weights) {
   const double known =
       varianceOfKnown(fit, cofactor, weights, isAny) + varianceOfSightedZeros(fit, cofactor, weights);
-  // In this argument order max() passes NaN: unknown must not become zero.
+  // In this argument order max() passes NaN: an unknown variance must not become zero.
   return std::max(quadraticForm(cofactor, weights) - known, 0.0);
 }
 
@@ -132,7 +132,7 @@ std::optional<std::size_t> arcAt(const Measurement& measurement, int axisDeg) {
 NoiseScale noiseScale(double chiSquare, int degreesOfFreedom) {
   constexpr double known = std::numeric_limits<double>::infinity();
   const NoiseScale asRead{std::sqrt(chiSquare / degreesOfFreedom), static_cast<double>(degreesOfFreedom)};
-  // The median of χ² is below its mean f: above f it is not improbably small.
+  // The median of χ² is below its mean f, so that a χ² above f is never improbably small.
   if (degreesOfFreedom > 0 && chiSquare >= degreesOfFreedom) return asRead;
   const std::optional<double> tail = chiSquareUpperTail(chiSquare, degreesOfFreedom);
   if (!tail || 1 - *tail < improbable) return {1, known};

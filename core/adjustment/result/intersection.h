@@ -48,7 +48,7 @@ double varianceOfPrior(const JointFit& fit, const SquareMatrix& cofactor, const 
 /// readings, and the additional cost of estimating error terms. Not scaled: the prior contribution of the
 /// terms by their plausible sizes (both listed only if there are terms); the radius if known; the pointing
 /// zeros, one for each position and independent; the distance, common to both, as stated. Zeros without a
-/// stated σ (`Measurement::zerosAreReadings`) scatter like the circles, and at least as stated for these.
+/// stated σ (`Measurement::zerosAreReadings`) scatter like the circles, at least with the circles' stated σ.
 std::vector<BudgetEntry> budgetOf(const JointFit& fit, const std::vector<double>& weights, double scale);
 
 /// The covariance of two linear combinations of the unknowns, from their budgets: cov(a, b) = (var(a + b) −

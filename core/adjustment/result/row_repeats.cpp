@@ -58,7 +58,7 @@ double gridOf(const ArcMeasurement& arc, Angle Sighting::*circle) {
 
 /// Is it improbable to find this many events (≥ 1) or more if `expected` are expected?
 bool isTooMany(std::size_t events, double expected) {
-  const auto fewer = chiSquareUpperTail(2 * expected, 2 * static_cast<double>(events));  // Poisson's
+  const auto fewer = chiSquareUpperTail(2 * expected, 2 * static_cast<double>(events));  // for Poisson counts
   return fewer && 1 - *fewer < tooSeldom;
 }
 
@@ -111,8 +111,8 @@ double gridOf(const std::vector<double>& read) {
   return 0;
 }
 
-/// The difference D of the two before rounding is normal. For a uniform position on the grid both are rounded
-/// to the same value with probability E max(0, 1 − |D|/grid).
+/// The difference D of two readings before rounding is normal. For a uniform position on the grid, both are
+/// rounded to the same value with probability E max(0, 1 − |D|/grid).
 double chanceOfBeingAlike(double grid, double scatter) {
   if (!(grid > 0)) return 0;
   const double t = grid / (std::numbers::sqrt2 * scatter);

@@ -24,8 +24,8 @@ std::vector<std::pair<std::size_t, std::size_t>> repeatedRows(const Measurement&
 /// (rad); 0 if there is none as coarse as 0.001″.
 double gridOf(const std::vector<double>& read);
 
-/// Probability that two readings of the same angle, each with σ `scatter`, are equal on a grid; 0 without
-/// one.
+/// Probability that two readings of the same angle, each with σ `scatter`, are equal on a grid; 0 without a
+/// grid.
 double chanceOfBeingAlike(double grid, double scatter);
 
 }  // namespace alidade

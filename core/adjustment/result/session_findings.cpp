@@ -35,7 +35,7 @@ void judgeClosure(std::vector<FitFinding>& findings, const SessionFit& fit, Unkn
   if (!misclosure) return;
   const double difference = std::abs(misclosure->value), sigma = misclosure->sigma;
   constexpr double leastFactor =
-      3.29;  // of the normal distribution; Student's quantile takes longer than all the rest
+      3.29;  // normal quantile, never above the slower quantile of Student's distribution
   if (difference <= leastFactor * sigma) return;
   const double bound = coverageFactor(1 - improbable, fit.noise.degreesOfFreedom) * sigma;
   if (difference <= bound) return;

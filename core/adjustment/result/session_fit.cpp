@@ -95,7 +95,7 @@ std::vector<Result<ArcFit, ArcFault>> firstFits(const Measurement& measurement) 
   return fits;
 }
 
-/// False if the arcs, each determined alone, are not determined together.
+/// Adjusts all arcs together. Returns false if the readings do not determine them together.
 bool adjust(SessionFit& fit, const Measurement& fitted) {
   std::vector<Circle> starts;
   for (const ArcFit& arc : fit.arcs) starts.push_back(arc.circle);
@@ -180,7 +180,7 @@ std::vector<EstimatedTerm> estimatedTerms(const Measurement& measurement) {
 
 namespace {
 
-/// The centre of the arcs at one axis, each fitted alone.
+/// The mean of the centres of the arcs at one axis, each fitted alone.
 struct PublishedCentre {
   PlanePoint<double> centre;
   AsPrinted asPrinted;

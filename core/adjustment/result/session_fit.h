@@ -23,23 +23,23 @@ struct EffectEstimate {
 /// measurement, shown by console, window and report.
 struct SessionFit {
   std::vector<ArcFit> arcs;        ///< the arcs that could be fitted, in the measurement's order
-  JointFit joint;                  ///< of these arcs together; empty if there are none
-  std::vector<ArcSigma> sigmas;    ///< of each arc, scaled by the residuals of all
+  JointFit joint;                  ///< of all fitted arcs together; empty without arcs
+  std::vector<ArcSigma> sigmas;    ///< of each arc, scaled by s0
   std::vector<ArcBudget> budgets;  ///< of each arc, from which `sigmas` follow
   NoiseScale noise;                ///< s0, common to all arcs
   std::optional<Intersection> intersection;
   std::vector<EffectEstimate> effects;
   /// The reason why the lengths allow no verdict (`doubtfulLengths`); empty if they are not in doubt.
   std::optional<LengthsInDoubt> lengthsInDoubt;
-  std::optional<Verdict> verdict;  ///< with an intersection and a tolerance; undecided with lengths in doubt
-  std::vector<FitFinding> findings;  ///< of the arcs and of the whole; an Error explains a missing result
+  std::optional<Verdict> verdict;    ///< absent without Δd or tolerance; undecided with lengths in doubt
+  std::vector<FitFinding> findings;  ///< of the arcs and of the session; an Error explains a missing result
 
   const ArcFit* arcAt(int axisDeg) const;                   ///< the first at this axis; null if there is none
   const ArcFit* arcOfPosition(std::size_t position) const;  ///< null if there is none
 };
 
 /// Fits every arc that its readings determine by `fitArc`, then all of them together by `fitJointly`. The
-/// latter includes the slider readings and the effects that the session's model names. Called as in
+/// joint fit includes the slider readings and the effects that the session's model names. Example:
 /// samples/programs/fit.cpp.
 SessionFit fitSession(const Measurement& measurement);
 

@@ -113,7 +113,7 @@ void judgeRounding(std::vector<FitFinding>& findings, const Measurement& measure
   }
 }
 
-/// Reports differences that two sightings exceed in one case of a thousand.
+/// Reports a zero that moved by more than the sightings of an unmoved zero differ in 999 of 1000 cases.
 void judgeMoves(std::vector<FitFinding>& findings, const Measurement& measurement, const SessionFit& fit) {
   constexpr double farthest = 3.29;
   const double scale = measurement.zerosAreReadings ? std::max(1.0, fit.noise.factor) : 1;

@@ -20,8 +20,8 @@ namespace alidade {
 // opposite) and the index error j. The vertical circle reads j too much in both faces. So 2c(e)·cos e/2 = c +
 // i·sin e is a straight line in sin e, fitted by least squares with the weights of the horizontal circle. The
 // index is a mean. Zeros, drift and a tilted vertical axis are equal in both faces and cancel. Terms that c
-// and i omit are of third order, below 1e-4″ up to 500″. Source: any textbook of surveying on the errors of
-// the theodolite.
+// and i omit are of third order: below 1e-4″ for errors up to 500″. Source: any textbook of surveying on the
+// errors of the theodolite.
 
 /// A visit read in both faces.
 struct FaceDifference {

@@ -13,7 +13,7 @@ struct UncertainLength {
 };
 
 /// Computes the length to second order (JCGM 100:2008, 5.1.2, note), since the transverse uncertainty of a
-/// short vector matters. So u² = u∥² + u⊥⁴/2|v|², if that is less than u∥² + u⊥².
+/// short vector matters. u² is the lesser of u∥² + u⊥⁴/2|v|² and u∥² + u⊥².
 UncertainLength lengthOf(const UncertainVector& vector);
 
 }  // namespace alidade
