@@ -156,6 +156,10 @@ class PositionTable {
         m_unit(circleUnitOf(evaluation.session)),
         m_unusable(unusableRows(evaluation, position)),
         m_residuals(m_position.readings.size(), nullptr) {
+    for (std::size_t i = 0; i < evaluation.session.positions.size(); ++i) {
+      if (i == position) m_rowsBefore = m_rowsOfAll;
+      m_rowsOfAll += evaluation.session.positions[i].readings.size();
+    }
     const ArcFit* fit = evaluation.fit.arcOfPosition(position);
     if (!fit) return;
     for (const SightingResidual& residual : fit->residuals) m_residuals[residual.row] = &residual;
@@ -165,7 +169,7 @@ class PositionTable {
     m_table.head();
     const std::size_t rows = m_position.readings.size();
     for (std::size_t row = 0; row < rows; ++row) {
-      if (!m_sheet.goesOn(static_cast<double>(row) / static_cast<double>(rows))) return;
+      if (!m_sheet.goesOn(static_cast<double>(m_rowsBefore + row) / static_cast<double>(m_rowsOfAll))) return;
       if (which == Rows::All || isRemarkable(m_position.readings[row], m_unusable.contains(row))) addRow(row);
     }
     m_table.finish();
@@ -205,6 +209,7 @@ class PositionTable {
   CircleUnit m_unit;
   std::set<std::size_t> m_unusable;
   std::vector<const SightingResidual*> m_residuals;
+  std::size_t m_rowsBefore = 0, m_rowsOfAll = 0;  ///< rows of earlier positions, and of all positions
 };
 
 void addPosition(ReportSheet& sheet, const Evaluation& evaluation, std::size_t index) {

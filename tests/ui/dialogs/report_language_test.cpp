@@ -4,6 +4,8 @@
 #include <QSet>
 #include <QSettings>
 #include <QTemporaryDir>
+#include <algorithm>
+#include <vector>
 
 #include "core/evaluation/evaluation.h"
 #include "tests/ui/language/speaking.h"
@@ -91,15 +93,20 @@ TEST_F(ReportLanguageTest, ThatTheWindowSpeaksIsNotDiagnosedInAgain) {
 // The window stays responsive while a report is written, and keeps its language.
 TEST_F(ReportLanguageTest, IsNotThatOfTheWindowMeanwhile) {
   QSet<QString> heard;
+  std::vector<double> progress;
   ReportOptions options;
   options.language = QStringLiteral("zh_CN");
-  options.goesOn = [&](double) {
+  options.goesOn = [&](double done) {
     heard.insert(shownLanguage());
+    progress.push_back(done);
     return true;
   };
   ASSERT_TRUE(writeAcceptanceReport(evaluate(document.session()), {}, dialogs.reportPath, options));
   EXPECT_EQ(heard, QSet<QString>{QStringLiteral("en")});
   EXPECT_EQ(shownLanguage(), QStringLiteral("en"));
+  EXPECT_GT(progress.size(), 34u) << "a step for each row and each page";
+  EXPECT_TRUE(std::ranges::is_sorted(progress)) << "the second position does not begin at the start";
+  EXPECT_GT(progress.back(), 0.5) << "the pages are painted after all is laid out";
 }
 
 }  // namespace
