@@ -27,7 +27,7 @@ using Clock = std::chrono::steady_clock;
 struct Answered {
   std::string text;
   std::optional<std::string> reason = {};  ///< why there is no result
-  bool failed = false;                     ///< a fault or lack of memory, not the input, is the reason
+  bool failed = false;                     ///< the reason is a fault or a lack of memory, not the input
 };
 
 std::string quoted(const std::string& text) {
@@ -85,7 +85,7 @@ class OrderedOutput {
   OrderedOutput(const std::vector<ListedFile>& files, const BatchOptions& options)
       : m_files(files), m_options(options), m_waiting(kept), m_progress(files.size(), options.progress) {}
 
-  /// Waits while the result is too far ahead of the output. Returns false if writing is no longer possible.
+  /// Waits while `index` is at least `kept` ahead of the output. False if writing is no longer possible.
   bool awaitTurn(std::size_t index) {
     std::unique_lock lock(m_guard);
     m_moved.wait(lock, [&] { return m_broken || index < m_written + kept; });

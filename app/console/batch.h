@@ -11,7 +11,7 @@
 namespace alidade::console {
 
 struct BatchOptions {
-  std::size_t threads = 0;  ///< 0: one per processor core. No effect on the results
+  std::size_t threads = 0;  ///< 0: one per processor core; the results are the same for any number
   bool progress = false;    ///< prints progress on stderr even without a terminal
   bool json = false;
   bool lines = false;  ///< the results are one line each, with no empty line between

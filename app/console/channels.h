@@ -5,7 +5,7 @@
 
 namespace alidade::console {
 
-/// All exit codes of the program. The last two occur only on request (`VerdictExit`).
+/// All exit codes of the program. `Rejected` and `Undecided` occur only on request (`VerdictExit`).
 enum ExitCode { Done = 0, Failed = 1, BadInput = 2, Rejected = 3, Undecided = 4 };
 
 /// Writes the whole result, a text or a JSON document, to stdout. Control or invisible characters are escaped

@@ -20,8 +20,8 @@ std::string partText(const GapShare& share) {
   return share.of;
 }
 
-/// A line for each division of the readings into two or more parts, in order; parts below one percent are
-/// left out.
+/// One line for each division of the readings (by face, by round, …) that has two or more parts. Omits parts
+/// below one percent.
 std::string whereText(const Diagnosis& diagnosis) {
   std::string text = "\nWhere the gap lies\n";
   for (auto first = diagnosis.where.begin(); first != diagnosis.where.end();) {

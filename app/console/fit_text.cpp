@@ -47,7 +47,7 @@ std::string headlineText(const Headline& headline, double coverage) {
   return text + "\n";
 }
 
-/// The sentence on the gap; empty if the gap is no larger than noise.
+/// The sentence on the gap; empty without a diagnosis, or if noise explains the gap.
 std::string gapText(const FitAnswer& answer) {
   if (!answer.diagnosis || !isMoreThanNoise(*answer.diagnosis)) return "";
   return "\n" + paragraph("Gap: " + sentenceOf(*answer.diagnosis) + " `alidade-cli diagnose` says more.");

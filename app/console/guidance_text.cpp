@@ -35,7 +35,7 @@ std::string nextText(const Guidance& guidance, CircleUnit unit) {
   return text + "\n";
 }
 
-/// The sightings after the next one: the first few in a table, the number of the others.
+/// The sightings that are left or missed: the first six in a table, then the number of the others.
 std::string leftText(const Guidance& guidance, CircleUnit unit) {
   constexpr std::size_t most = 6;
   Rows rows;

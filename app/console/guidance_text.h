@@ -7,7 +7,7 @@
 
 namespace alidade::console {
 
-/// The next and remaining sightings, those to repeat, and when the readings are enough, as text.
+/// The next and remaining sightings, the sightings to repeat, and when the readings are enough, as text.
 std::string guidanceText(const std::string& session, const Guidance& guidance, CircleUnit unit);
 
 }  // namespace alidade::console

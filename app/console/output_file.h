@@ -13,12 +13,11 @@ struct OutputFile {
   std::string option, path, text;
 };
 
-/// Writes the files. None replaces an existing file before the bytes of all are on the disk
-/// (`atomic_file.h`). Returns a problem if one cannot be written, is standard output (-), is one of `inputs`,
-/// or equals another under any name. Existing files then remain unchanged.
+/// Writes the files. Existing files are replaced only after the bytes of all new files are on the disk
+/// (`atomic_file.h`). Returns a problem if a path cannot be written, is standard output (-), or names the
+/// same file as one of `inputs` or another output. Existing files then remain unchanged.
 ///
-/// `inputs`: every file read by the call, - for standard input; empty names, from missing options, are
-/// ignored.
+/// `inputs`: the paths of all files that the call reads, - for standard input; empty paths are ignored.
 std::optional<Problem> writeOutputs(const std::vector<OutputFile>& files, std::vector<std::string> inputs);
 
 }  // namespace alidade::console

@@ -14,7 +14,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// The files that a path names, in order.
+/// The file at `path`, or the effect files in the folder at `path`, sorted by name.
 Result<std::vector<std::string>> filesOf(const std::string& path) {
   std::error_code error;
   if (!fs::is_directory(path, error)) return std::vector{path};

@@ -13,7 +13,7 @@ namespace alidade::console {
 std::string planText(const std::string& session, const PlanReview& review,
                      const std::vector<Finding>& findings, const SessionEffort& effort);
 
-/// One JSON document.
+/// The review of a plan as one JSON document.
 std::string planJson(const std::string& session, const PlanReview& review,
                      const std::vector<Finding>& findings, const Measurement& measurement);
 

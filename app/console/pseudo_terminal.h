@@ -8,7 +8,7 @@
 namespace alidade::console {
 
 /// A pseudo terminal in place of an instrument's port: bytes written here are read from `path()`, and vice
-/// versa. The line is raw. Its other end stays open, so that a reader may disconnect and reconnect.
+/// versa. The line is raw. The end at `path()` stays open, so that a reader can disconnect and reconnect.
 class PseudoTerminal {
  public:
   static Result<PseudoTerminal> open();
@@ -22,7 +22,7 @@ class PseudoTerminal {
   int descriptor() const { return m_master; }
   /// The available bytes, without waiting.
   std::string read() const;
-  /// Returns false if the buffer is full because nobody reads. The remaining bytes are lost, as on a wire.
+  /// Returns false if the buffer is full because nobody reads. Bytes that do not fit are lost, as on a wire.
   bool write(std::string_view bytes) const;
 
  private:

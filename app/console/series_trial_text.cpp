@@ -14,7 +14,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-constexpr double clear = 6;  // a fainter cause, in σ of all sessions, is not scored
+constexpr double clear = 6;  // a shared cause that shows by fewer σ in all sessions together is not scored
 
 struct SeriesSummary {
   Tally named, first, owner, silent, alone, spoiled, spoilers, unknown, noiseOfAll;

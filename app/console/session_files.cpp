@@ -20,15 +20,15 @@ bool isFolder(const std::string& path) {
   return fs::is_directory(path, ignored);
 }
 
-/// True for a pipe, a socket, a device or a link to one, since reading may block forever. False if the path
-/// is missing, which opening reports.
+/// True for a pipe, a socket, a device or a link to one of these: reading may block forever. False for a
+/// missing path: opening the path reports the problem.
 bool isEndless(const fs::path& path) {
   std::error_code ignored;
   const fs::file_status status = fs::status(path, ignored);
   return fs::exists(status) && !fs::is_regular_file(status);
 }
 
-/// A canonical name, equal for two paths of one file.
+/// The canonical path of the file, equal for all its paths; `path` itself if the file cannot be found.
 std::string realName(const std::string& path) {
   std::error_code problem;
   const fs::path real = fs::canonical(path, problem);

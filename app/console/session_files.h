@@ -14,10 +14,10 @@ struct ListedFile {
   std::optional<Problem> problem = {};
 };
 
-/// The inputs of a call in order: each file, for each folder its *.alidade files by name, without hidden
-/// files and subfolders, and for each series (*.alidade-series) its sessions. An unreadable folder or one
-/// without sessions is listed with its problem, like a pipe or other special file in a folder. An input named
-/// twice in any way is moved to `again`; hard links count as two files.
+/// The inputs of a call in order. A folder stands for its *.alidade files in the order of their names,
+/// without hidden files and subfolders; a series (*.alidade-series) stands for its sessions. A folder that is
+/// unreadable or has no session is listed with its problem, and so is a pipe or other special file in a
+/// folder. A path to a file that is already listed goes to `again`; hard links count as two files.
 struct SessionFiles {
   std::vector<ListedFile> files;
   std::vector<std::string> again;

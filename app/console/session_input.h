@@ -31,7 +31,7 @@ Result<SessionInput> readSessionInput(const std::string& file, Session (*prepare
 /// Copies the instrument record at this path into the session; returns the reason of a failure.
 std::optional<Problem> addRecord(Session& session, const std::string& record);
 
-/// Reads a session and adds an instrument record without changing the file; `record`: its path, empty: none.
+/// Reads a session and adds the instrument record at `record` (empty: none) without changing the file.
 Result<SessionInput> readSessionInput(const std::string& file, const std::string& record,
                                       const std::vector<std::string>& effects = {});
 

@@ -11,7 +11,7 @@ namespace {
 
 using Role = Statement::Column::Role;
 
-/// The columns of the table in the order of the text: remarks last, since they are the longest.
+/// The indices of the columns in the table, in order, without `Text`. Remarks are last: they are longest.
 std::vector<std::size_t> orderOf(const std::vector<Statement::Column>& columns) {
   std::vector<std::size_t> order, remarks;
   for (std::size_t i = 0; i < columns.size(); ++i)

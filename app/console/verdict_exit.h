@@ -11,7 +11,7 @@ namespace alidade::console {
 /// or has no verdict, else 0 (accepted).
 class VerdictExit {
  public:
-  /// Counts the decision on one session; absent if the session has no verdict. Callable from any thread.
+  /// Counts the decision on one session; absent: the session has no verdict. Callable from any thread.
   void take(const std::optional<AcceptanceDecision>& decision);
   int code() const;
 

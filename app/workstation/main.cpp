@@ -29,7 +29,7 @@ namespace {
 
 using namespace alidade;
 
-/// True if an option is given that never opens a window. Such a call must work without a display.
+/// True if an option is given with which no window opens. Such a call must work without a display.
 bool needsNoDisplay(int argc, char** argv) {
   return std::any_of(argv + 1, argv + argc, [](const char* argument) {
     const QByteArray text(argument);
@@ -43,7 +43,7 @@ int badCall(const QString& sentence) {
   return 2;
 }
 
-/// The options for statements of a certificate, and for signing a file.
+/// The options that state entries of a certificate, and those that sign a file.
 class OptionsOfFiles {
  public:
   explicit OptionsOfFiles(QCommandLineParser& parser) {
@@ -113,7 +113,7 @@ QString languageIds() {
   return ids.join(QStringLiteral(" or "));
 }
 
-/// Opens the file within the event loop, so an exception does not end the program. At a termination request
+/// Opens the file within the event loop, where `ui::Application` catches exceptions. At a termination request
 /// or the end of the desktop session, the window keeps unsaved and unfinished entries.
 int runWindow(ui::Application& application, const QString& path, const ui::Termination& termination) {
   ui::MainWindow window;

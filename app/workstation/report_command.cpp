@@ -25,14 +25,14 @@ int refuse(const QString& path, const Problem& problem) {
   return 2;
 }
 
-/// SOURCE_DATE_EPOCH, which reproducible builds and laboratories set to get identical bytes; else now.
+/// The date in SOURCE_DATE_EPOCH, which reproducible builds set to get identical bytes; without it, now.
 QDateTime dateOfReport() {
   bool isSet = false;
   const qint64 seconds = qEnvironmentVariable("SOURCE_DATE_EPOCH").toLongLong(&isSet);
   return isSet ? QDateTime::fromSecsSinceEpoch(seconds, Qt::UTC) : QDateTime::currentDateTime();
 }
 
-/// Writes `sentence` (for `Phrase::of`) with the missing entries to stderr, if any. Returns exit code 0.
+/// If entries are missing, writes `sentence` (for `Phrase::of`) with their names to stderr. Returns 0.
 int reportLacks(const QString& path, const char* sentence, const QStringList& lacks) {
   std::vector<std::string> nouns;
   for (const QString& noun : lacks) nouns.push_back(noun.toStdString());

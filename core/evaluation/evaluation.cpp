@@ -16,7 +16,7 @@ void fit(Evaluation& evaluation, const std::stop_token& stop) {
   evaluation.twoFaces = compareFaces(measurement);
 }
 
-/// The results that the second stage adds to the fit.
+/// The results that `withSuspects` adds to the fit.
 struct Searched {
   std::vector<Suspect> suspects;
   std::string journal;

@@ -20,37 +20,37 @@ namespace alidade {
 /// The contents of charts, which the window computes along with the evaluation. The core never reads them.
 struct EvaluationPictures;
 
-/// Everything computed from one copy of the session except its diagnosis. A plain value shown alike by
-/// charts, panels and report.
+/// Everything computed from one copy of the session except its diagnosis. Charts, panels and report show the
+/// same evaluation.
 struct Evaluation {
   Session session;
   Examined examined;
-  SessionFit fit;                                ///< valid if `examined.measurement` is present
-  PublishedSessionFit published;                 ///< likewise
-  std::optional<TwoFaces> twoFaces;              ///< if visits were read in both faces
-  std::vector<Suspect> suspects;                 ///< readings that look misread, the most certain first
-  bool isSearched = true;                        ///< false: `suspects` and `journal` follow later
-  std::string journal = {};                      ///< `journalSummary`, which may require writing the session
-  std::optional<FailedWork> failure = {};        ///< why a fit that the entries allow failed
-  std::optional<FailedWork> searchFailure = {};  ///< why the search for suspects failed
-  std::vector<std::optional<NextReading>> next = {};        ///< for each position
-  std::shared_ptr<const Guide> guide = {};                  ///< null if the session has no protocol
+  SessionFit fit;                                     ///< valid if `examined.measurement` is present
+  PublishedSessionFit published;                      ///< valid if `examined.measurement` is present
+  std::optional<TwoFaces> twoFaces;                   ///< absent unless visits were read in both faces
+  std::vector<Suspect> suspects;                      ///< readings that look misread, the most certain first
+  bool isSearched = true;                             ///< false: `suspects` and `journal` follow later
+  std::string journal = {};                           ///< `journalSummary`; empty until `isSearched`
+  std::optional<FailedWork> failure = {};             ///< why the fit failed although the entries allow one
+  std::optional<FailedWork> searchFailure = {};       ///< why the search for suspects failed
+  std::vector<std::optional<NextReading>> next = {};  ///< for each position
+  std::shared_ptr<const Guide> guide = {};            ///< null if the session has no protocol
   std::shared_ptr<const EvaluationPictures> pictures = {};  ///< null if not computed
 };
 
 /// An evaluation that views share and may keep as long as they like.
 using SharedEvaluation = std::shared_ptr<const Evaluation>;
 
-/// The evaluation without the journal summary and the suspects, whose search takes several times as long. If
-/// asked to stop, it returns early with fewer results.
+/// The evaluation without suspects and journal summary: the search for suspects takes several times as long
+/// as the fit. If asked to stop, returns early with fewer results.
 Evaluation evaluateFit(Session session, const std::stop_token& stop = {});
 /// The complete evaluation, including suspects and journal summary.
 Evaluation withSuspects(Evaluation evaluation, const std::stop_token& stop = {});
-/// A complete copy of `fitted`, made after the search for suspects; absent if asked to stop before its end.
+/// A copy of `fitted` with suspects and journal summary; absent if asked to stop before the search ends.
 std::optional<Evaluation> copyWithSuspects(const Evaluation& fitted, const std::stop_token& stop);
 /// The evaluation after a failed fit: the session and the problems of its entries, without a fit.
 Evaluation failedEvaluation(Session session, FailedWork failure);
-/// The fit without suspects, after their search failed.
+/// The evaluation without suspects, after the search for suspects failed.
 Evaluation withoutSuspects(Evaluation evaluation, FailedWork failure);
 /// Runs `evaluateFit` and `withSuspects`.
 Evaluation evaluate(Session session);

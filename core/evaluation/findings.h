@@ -7,7 +7,7 @@
 
 namespace alidade {
 
-/// The findings of the fit, and why the fit or the search for suspects failed, in sentences; no suspects.
+/// The findings of the fit, and why the fit or the search for suspects failed. Suspects are not included.
 std::vector<Finding> findingsOf(const Evaluation& evaluation);
 
 }  // namespace alidade

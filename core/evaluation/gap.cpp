@@ -44,7 +44,7 @@ std::optional<NoDiagnosis> reasonForNone(const Evaluation& evaluation) {
   return std::nullopt;
 }
 
-/// The stage of the bare model, then one stage for each effect of the session's model, which it adds.
+/// The stage of the bare model, then one stage for each effect that the session adds to the model.
 std::vector<GapStage> modelledStages(const Evaluation& evaluation, const std::stop_token& stop) {
   std::vector<GapStage> stages;
   Measurement measurement = *evaluation.examined.measurement;

@@ -33,15 +33,15 @@ struct GapStage {
 
 /// Why there is no diagnosis although no computation failed.
 enum class Absence {
-  NotMade,           ///< not requested
-  Stopped,           ///< on request
+  NotMade,           ///< no diagnosis was requested
+  Stopped,           ///< the diagnosis was stopped on request
   NothingToCompare,  ///< no arc could be fitted
   NothingLeftOver,   ///< the readings determine the arcs without redundancy
 };
 
 using NoDiagnosis = std::variant<Absence, FailedWork, DiagnosisFault>;
 
-/// The gap between model and readings of one evaluation: a plain value shown alike by page and report.
+/// The gap between model and readings of one evaluation. Page and report show the same gap.
 struct Gap {
   SharedEvaluation evaluation;
   std::optional<Diagnosis> diagnosis;
@@ -68,8 +68,8 @@ struct Gap {
   /// Undetectable effects of which a plausible size moves Δd by more than U: the untested assumptions of the
   /// result. Empty without a diagnosis.
   std::vector<UndetectableEffect> undetectableBeyondU() const;
-  /// Undetectable effects of which a plausible size moves Δd by a fiftieth of U or more: the worst eight at
-  /// most. Empty without a diagnosis.
+  /// Undetectable effects of which a plausible size moves Δd by a fiftieth of U or more: at most eight, the
+  /// worst first. Empty without a diagnosis.
   std::vector<UndetectableEffect> noticeablyUndetectable() const;
 };
 
@@ -79,7 +79,7 @@ std::vector<UndetectableEffect> undetectableBeyond(const Diagnosis& diagnosis, d
 /// The gap of an evaluation and its diagnosis, with the stages. If asked to stop, computes fewer stages.
 Gap gapOf(SharedEvaluation evaluation, Diagnosis diagnosis, const std::stop_token& stop = {});
 /// Diagnoses the evaluation, weighing the causes with the reference (`DiagnosisOptions::withReference`) if
-/// requested. Takes many times as long as a fit; asked to stop, it returns early without a diagnosis.
+/// requested. Takes many times as long as a fit. If asked to stop, returns early without a diagnosis.
 Gap assessGap(const SharedEvaluation& evaluation, const std::stop_token& stop = {},
               bool withReference = false);
 /// The gap with its `dependences`. If they are absent, seeks them, which takes as long as several diagnoses.

@@ -21,7 +21,7 @@ struct Guide {
   ProtocolProgress progress;
   std::vector<std::optional<ExpectedReading>> expected;  ///< for each sighting
   std::optional<SightingChoice> choice = {};             ///< in a protocol by worth
-  std::vector<SightingsToRepeat> allToRepeat;            ///< misread sightings only after the search
+  std::vector<SightingsToRepeat> allToRepeat;            ///< includes misread sightings only after the search
   std::string problem = {};  ///< why the protocol cannot be followed; everything else is then empty
 };
 

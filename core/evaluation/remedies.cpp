@@ -32,7 +32,7 @@ std::optional<Jump> jumpOf(const Gap& gap, const Cause& cause) {
     Jump jump{.place = {.position = arc.position, .reading = split->row, .field = "horizontal"}};
     jump.isAtZero = split == arc.sightings.begin();
     jump.isLast = &arc == &arcs.back();  // arcs are in the order read
-    // A position's own zero belongs to the rows before the jump. Only one zero for all can fit later rows.
+    // A position's own zero was read before the jump. Only a common zero can fit the rows after the jump.
     if (measurement.hasOneZero() && !jump.isLast &&
         std::distance(split, arc.sightings.end()) >= fewestSightings && split->row > 0)
       jump.before = RowRange{arc.position, 0, split->row};

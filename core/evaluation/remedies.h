@@ -19,10 +19,10 @@ struct RowRange {
 /// A jump of the orientation within a position.
 struct Jump {
   Place place;            ///< the first row after the jump
-  bool isLast = false;    ///< no position was read after this one
-  bool isAtZero = false;  ///< between the position's pointing zero and its first place
+  bool isLast = false;    ///< no position was read after the position of the jump
+  bool isAtZero = false;  ///< the jump is between the position's pointing zero and its first sighting
   /// The rows before and the rows after the jump, each present if the other rows suffice for an arc. `before`
-  /// also requires a later position, which may share the orientation after the jump.
+  /// also requires a later position and one pointing zero for all positions.
   std::optional<RowRange> before = {}, after = {};
 };
 
@@ -34,8 +34,8 @@ struct StatedNoise {
   std::string horizontal, vertical;
 };
 
-/// The σ that the readings show: the stated σ times the ratio found, to two digits each. Absent if the cause
-/// is not larger noise.
+/// The stated σ of both circles times the ratio of noise found, rounded to two significant digits. Absent if
+/// the cause is not larger noise.
 std::optional<StatedNoise> scatterOf(const Gap& gap, const Cause& cause);
 
 }  // namespace alidade

@@ -77,8 +77,8 @@ class Draw {
     return {*own, static_cast<int>(std::count(axes.begin(), own + 1, *own))};
   }
 
-  /// Misreads one or two readings by 30″ to 5′. Errors are drawn until each is detectable, since one along
-  /// the arc may be undetectable.
+  /// Misreads one or two readings by 30″ to 5′. Errors are drawn until each is detectable: an error along the
+  /// arc may be undetectable.
   void putGrossErrors() {
     constexpr int tries = 200;
     const std::vector<PlannedRow> rows = plannedRows(m_protocol);
@@ -117,7 +117,7 @@ class Draw {
     m_truth.jump = {.moment = m_random.uniform(0.15, 0.85), .horizontal = step(), .vertical = step()};
   }
 
-  /// Misreads a pointing zero in both circles. The closures show the horizontal error, hardly the vertical.
+  /// Misreads a pointing zero in both circles. The closures hardly show the vertical error.
   void putWrongZero() {
     const NumberedPosition position = anyPosition();
     const double horizontal = sign() * m_random.uniform(20, 60), ratio = sign() * m_random.uniform(0.7, 1.4);
@@ -150,7 +150,7 @@ class Draw {
     }
   }
 
-  /// Two effects that are separable from everything else, if the protocol allows it.
+  /// Adds two effects that can be distinguished from all others, if the protocol allows it.
   void putTwo() {
     constexpr int tries = 30;
     std::vector<TrueSize> sizes;
@@ -160,7 +160,7 @@ class Draw {
       if (&effect == first) continue;
       putEffect(effect);
       const std::optional<Visibility> shown = shownAs(std::string(effect.id));
-      const bool last = i + 3 >= tries;  // the last tries accept any two
+      const bool last = i + 3 >= tries;  // the last three tries accept any effect
       if (!last && (!shown || shown->sigma < clearVisibility || !shown->lookAlikes.empty())) continue;
       sizes.insert(sizes.end(), m_truth.effects.begin(), m_truth.effects.end());
       if (first) break;
@@ -201,7 +201,7 @@ class Draw {
       if (!visible) return;
       const double shown = std::max(visible->sigma, 1e-9);
       if (std::abs(shown / target - 1) < 0.002) return;
-      // Visibility grows with the size, for a plane tilt up to its square.
+      // Visibility is proportional to the size, for a plane tilt up to its square.
       const double power = step > 0 && size != lastSize
                                ? std::clamp(std::log(shown / lastShown) / std::log(size / lastSize), 1.0, 2.0)
                                : 1;
@@ -246,7 +246,7 @@ class Draw {
     return found ? std::optional(*found) : std::nullopt;
   }
 
-  /// The visibility of an effect, or of a wrong zero.
+  /// The visibility of an effect, or of a wrong zero; absent for other kinds.
   std::optional<Visibility> visibility(const std::string& kind) const {
     const bool isAlone = effectIn(m_options, kind) || m_truth.wrongZero;
     return isAlone && kind != relationId ? shownAs(kind) : std::nullopt;

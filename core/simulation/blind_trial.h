@@ -20,10 +20,10 @@ namespace alidade {
 // itself is at most a few plausible sizes.
 
 struct BlindTrialOptions {
-  std::string protocol;      ///< by name; empty: drawn from the named ones
-  double leastVisible = 6;   ///< σ of the readings
-  double mostVisible = 25;   ///< σ of the readings
-  double mostPlausible = 6;  ///< plausible sizes
+  std::string protocol;      ///< name of the protocol; empty: drawn from the named protocols
+  double leastVisible = 6;   ///< smallest visible length of an effect, σ of the readings
+  double mostVisible = 25;   ///< largest visible length of an effect, σ of the readings
+  double mostPlausible = 6;  ///< largest size of an effect, plausible sizes
   std::vector<std::string> kinds =
       {};  ///< of `trialKinds()` and ids of `own`, with equal probability; empty: all, with their weights
   /// Effects of the user's own, drawn as often as one of the catalogue. The session states all of them.

@@ -15,13 +15,13 @@ enum class CompensatorUse {
   On,        ///< both circles are corrected for the tilt of the vertical axis
 };
 
-/// The truth that remains with the compensator on: its setting error, drawn with this σ about both axes,
-/// replaces the tilt.
+/// The truth with the compensator on: its setting error, drawn with `sigma` about both axes, replaces the
+/// tilt of the vertical axis.
 Truth leftByCompensator(Truth truth, Angle sigma, std::uint64_t seed);
 
 /// Enters the instrument's statements in each row. With `Measured`, each tilt (cross and length) is that of
-/// `truth` plus an index of the compensator and an error of the reading. Index and error are drawn with this
-/// σ; the tilts are written to 0.1″.
+/// `truth` plus an index of the compensator and an error of the reading. Index and error are drawn with
+/// `sigma`; the tilts are written to 0.1″.
 void stateCompensator(Session& session, const Truth& truth, CompensatorUse use, Angle sigma,
                       std::uint64_t seed);
 

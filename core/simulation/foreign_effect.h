@@ -23,7 +23,7 @@ struct ForeignEffect {
   double size = 0, first = 0, second = 0;
 };
 
-/// The name of the disturbance on the command line and in truth files, and its numbers.
+/// The name of the disturbance on the command line and in truth files, and the numbers that it takes.
 struct ForeignEffectName {
   ForeignEffect::Kind kind;
   std::string_view name;
@@ -34,15 +34,15 @@ struct ForeignEffectName {
 std::span<const ForeignEffectName> foreignEffectNames();
 std::string_view nameOf(ForeignEffect::Kind kind);
 
-/// Added to the radius with the slider at `s`, mm.
+/// Change of the radius with the slider at `s`, mm.
 double radiusBy(const ForeignEffect& effect, Angle s);
 /// Offset of the target from the plane in the guideway's own frame with the slider at `s`, mm.
 double offPlaneBy(const ForeignEffect& effect, Angle s);
-/// Added to the distance at the elapsed share `elapsed` of the session, mm.
+/// Change of the distance at the elapsed share `elapsed` of the session, mm.
 double distanceBy(const ForeignEffect& effect, double elapsed);
-/// Added to the azimuth, face 1 equivalent; `circle` is the horizontal reading of the face.
+/// Change of the azimuth, face 1 equivalent; `circle` is the horizontal reading of the face.
 Angle azimuthBy(const ForeignEffect& effect, Angle circle, double elapsed, bool wayBack);
-/// Added to the elevation, face 1 equivalent.
+/// Change of the elevation, face 1 equivalent.
 Angle elevationBy(const ForeignEffect& effect, Angle elevation, double elapsed);
 
 }  // namespace alidade

@@ -28,7 +28,7 @@ struct Protocol {
   int rounds = 1;                        ///< ≥ 1
   FacePlan faces = FacePlan::FaceOne;
   bool slider = false;               ///< the slider is read, once at each place
-  std::vector<int> axes = {0, 180};  ///< of the positions in the order taken, each 0 or 180
+  std::vector<int> axes = {0, 180};  ///< axis angles of the positions in order, degrees: 0 or 180
   Angle circleShift = {};            ///< turn of the horizontal circle between the positions
 };
 

@@ -31,7 +31,7 @@ void addGrossError(SealedTruth& truth, GrossErrorCell cell, double horizontal, d
   }
 }
 
-/// Reads misread cells from `list`. False if one does not identify its reading by whole numbers.
+/// Reads misread cells from `list`. False if a cell does not identify its reading by whole numbers.
 bool readGrossErrors(const Json& list, SealedTruth& truth) {
   constexpr double mostCells = 1e9;
   for (const Json& grossError : list) {
@@ -59,7 +59,7 @@ bool isDiagnosable(const std::string& id) {
   return std::ranges::find(diagnosableEffects(), id) != diagnosableEffects().end();
 }
 
-/// Is `id` an effect that a diagnosis can name, or an uncatalogued one?
+/// True if `id` is an effect that a diagnosis can name, or an uncatalogued effect.
 bool isCause(const std::string& id) {
   return id.starts_with("unknown") || id.starts_with(ownPrefix) || isDiagnosable(id);
 }
@@ -79,7 +79,7 @@ std::size_t lettersApart(std::string_view a, std::string_view b) {
   return row.back();
 }
 
-/// Is `kind` a mistyped name of a diagnosable effect?
+/// True if `kind` looks like a mistyped name of a diagnosable effect.
 bool isMistyped(const std::string& kind) {
   constexpr std::size_t longest = 64, mostWrong = 2;
   return !isDiagnosable(kind) && kind.size() <= longest &&
@@ -87,8 +87,8 @@ bool isMistyped(const std::string& kind) {
                              [&](const auto& id) { return lettersApart(kind, id) <= mostWrong; });
 }
 
-/// The effect's id for names of other test generators: a drift with repeatedly sighted zeros, and readings
-/// rounded to coarse steps, which scatter more than stated.
+/// Translates names of other test generators into the effect's id: drifts with repeatedly sighted zeros, and
+/// readings rounded to coarse steps, which scatter more than stated. Returns other names unchanged.
 std::string kindCalled(const std::string& kind) {
   if (kind == "drift_real_h") return "horizontal_drift";
   if (kind == "drift_real_v") return "vertical_drift";
@@ -111,7 +111,7 @@ std::optional<std::string> whyUnscorable(const SealedTruth& truth) {
   return std::nullopt;
 }
 
-/// Reads the keys in order; `key` becomes the last one, for the sentence on a problem.
+/// Reads the keys in order. `key` becomes the key read last, which the message on a problem names.
 std::optional<SealedTruth> readTruth(const std::string& id, const Json& json, std::string& key) {
   SealedTruth truth{.id = id};
   const auto at = [&](const char* name) -> const Json& { return json.at(key = name); };

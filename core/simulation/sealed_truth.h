@@ -31,27 +31,27 @@ struct SealedTruth {
   std::string protocol = {};             ///< name of the plan of readings
   double intersection = 0;               ///< true Δd, mm
   std::optional<double> visible = {};    ///< visibility of the only effect, σ of the readings
-  std::vector<std::string> lookAlikes = {};      ///< ids that the readings cannot distinguish from it
-  std::vector<GrossErrorCell> grossErrors = {};  ///< in order
+  std::vector<std::string> lookAlikes = {};      ///< ids indistinguishable from the only effect
+  std::vector<GrossErrorCell> grossErrors = {};  ///< sorted
 };
 
-/// Is the kind uncatalogued, so that the diagnosis cannot name it?
+/// True if the kind is uncatalogued: the diagnosis cannot name it.
 bool isOfNoCatalogue(const std::string& kind);
 
-/// Does the truth file's entry describe a series of sessions, with a Δd for each of them?
+/// True if an entry of a truth file describes a series of sessions, with a Δd for each session.
 bool isTruthOfSeries(const nlohmann::json& entry);
 
-/// Seals a truth. `visibility` is that of its only effect, if there is one.
+/// Seals a truth. `visibility`: the visibility of its only effect; absent if it has several or none.
 SealedTruth sealed(const std::string& id, const Truth& truth, const std::optional<Visibility>& visibility);
 
 /// The truth file of a set of trials: a JSON object {id: {kind, intersection_mm, protocol, causes, blunders:
 /// [[position, round, point, face, horizontal, vertical], …] with positions by `NumberedPosition`,
-/// visible_sigma, look_alikes: [[id, cosine, σ], …]}, …}. Kind and intersection_mm are required, other keys
-/// are ignored, `plan` is a synonym of protocol; of the kind `all`, the keys of `there` are the causes. A
-/// kind that the diagnosis cannot name is uncatalogued. Truths of series are skipped. The result is in the
-/// order of the ids. Fails if there is no truth. Fails, with the id and the key, on a value of the wrong
-/// type, a kind within two letters of an effect, a cause that cannot be diagnosed, a gross_error without
-/// blunders, and two_causes without causes.
+/// visible_sigma, look_alikes: [[id, cosine, σ], …]}, …}. `kind` and `intersection_mm` are required; unknown
+/// keys are ignored. `plan` is a synonym of `protocol`. For the kind `all`, the keys of `there` are the
+/// causes. A kind that the diagnosis cannot name is uncatalogued. Truths of series are skipped. The result is
+/// in the order of the ids. Fails if there is no truth. Fails, with the id and the key, on a value of the
+/// wrong type, a kind within two letters of an effect, a cause that cannot be diagnosed, a gross_error
+/// without blunders, and two_causes without causes.
 Result<std::vector<SealedTruth>> readSealedTruths(const std::string& text);
 
 }  // namespace alidade

@@ -81,7 +81,7 @@ class SeriesDraw {
     }
   }
 
-  /// Does the plausible size of the effect show in one session of this plan?
+  /// True if the plausible size of the effect shows in one session of this plan.
   bool shows(const Effect& effect) const {
     constexpr double least = 1;
     const std::optional<double> visible = visibleIn(0, effect, 0.7);
@@ -124,8 +124,8 @@ class SeriesDraw {
     m_seal.serial = ofInstrument ? "T-1" : "G-1";
   }
 
-  /// Adds the effect to all sessions of its owner, sized for the drawn visibility. Returns false if that
-  /// needs far more than the plausible size.
+  /// Adds the effect to all sessions of its owner, sized for the drawn visibility. Returns false if this
+  /// visibility needs more than six plausible sizes.
   bool put(const Effect& effect) {
     constexpr double least = 6, most = 10, mostPlausible = 6;
     const double angle = m_random.uniform(0, 2 * std::numbers::pi), target = m_random.uniform(least, most);
@@ -160,9 +160,9 @@ class SeriesDraw {
     return ErrorSource::Time;
   }
 
-  /// A disturbance shared by all sessions of its owner; a disturbance of time is the same in all sessions.
-  /// Without noise its visibility, and the part beyond the nearest catalogued effect in each session, are
-  /// proportional to its size.
+  /// Adds an uncatalogued disturbance to all sessions of its owner; a disturbance of time is the same in all
+  /// sessions. Without noise, its visibility and its distance from the nearest catalogued effect are
+  /// proportional to its size. Without a suitable size, `m_seal.visible` stays absent.
   void putUnknown() {
     constexpr double least = 8, most = 16, beyond = 6, mostSize = 300;
     Truth drawn = m_truths.front();

@@ -24,7 +24,7 @@ struct SeriesSeal {
   std::string protocol = {};
   std::optional<double> visible = {};       ///< in all sessions together, σ
   std::optional<std::size_t> spoiled = {};  ///< index of a session with a cause of its own
-  std::string spoiledBy = {};               ///< that cause
+  std::string spoiledBy = {};               ///< id of this session's own cause
 };
 
 struct SeriesTrial {
@@ -32,12 +32,12 @@ struct SeriesTrial {
   std::vector<Session> sessions;
 };
 
-/// 8 to 12 sessions with no shared effect, or one effect of an instrument or a guideway, visible by 6 to 10 σ
-/// in all of them together. A quarter of the series have an uncatalogued one, visible by 8 to 16 σ and by at
-/// least 6 σ beyond any catalogued effect. Either two instruments and three guideways are crossed, or each
-/// session has another guideway, or four instruments take turns at one guideway. In a third of the series one
-/// session is spoiled. Half of these sessions have a large jump or scatter more as a whole. The others have a
-/// misread value, a jump or another effect. The same seed gives the same trial.
+/// Draws 8 to 12 sessions. They share no effect, or one effect of an instrument or a guideway, visible by 6
+/// to 10 σ in all sessions together. A quarter of the series share an uncatalogued effect, visible by 8 to 16
+/// σ and by at least 6 σ beyond any catalogued effect. Either two instruments and three guideways are
+/// crossed, or each session has another guideway, or four instruments take turns at one guideway. In a third
+/// of the series one session is spoiled. Half of these sessions have a large jump or scatter more as a whole.
+/// The others have a misread value, a jump or another effect. The same seed gives the same trial.
 Result<SeriesTrial> drawSeriesTrial(std::uint64_t seed);
 
 struct ScoredSeries {
@@ -49,8 +49,8 @@ struct ScoredSeries {
   bool isAlarm = false;         ///< a shared cause is named, or a shared uncatalogued gap reported
   bool isNoiseOfAll = false;    ///< larger noise of several sessions is reported
   bool isSpoilerFound = false;  ///< the spoiled session is found to have its own cause
-  std::size_t namedAlone = 0, sessions = 0;  ///< sessions that name the truth, alone or in a group, if
-                                             ///< diagnosed alone
+  std::size_t namedAlone = 0, sessions = 0;  ///< of `sessions` sessions diagnosed alone, those that
+                                             ///< name the truth, alone or in a group
   std::string answer;
 };
 
@@ -60,13 +60,13 @@ ScoredSeries scoreSeries(const SeriesSeal& seal, const SeriesDiagnosis& diagnosi
 Result<std::vector<ScoredSeries>> scoreDrawnSeries(std::size_t count, std::uint64_t seed,
                                                    std::size_t threads);
 
-/// Stored series: `folder`/truth.json, an object of series with `kind`, `shared` and `sessions`, and
+/// Scores stored series: `folder`/truth.json, an object of series with `kind`, `shared` and `sessions`, and
 /// `folder`/SERIES/SESSION.alidade. Without `shared`, the owner is that of effects of this kind. Without
-/// `sessions`, the sessions are those of `intersection_mm`. Truths of single sessions are skipped. Problems
-/// name the file.
+/// `sessions`, the keys of `intersection_mm` name the sessions. Truths of single sessions are skipped.
+/// Problems name the file.
 Result<std::vector<ScoredSeries>> scoreStoredSeries(const std::string& folder, std::size_t threads);
 
-/// Does the truth file contain series, and does it contain sessions?
+/// Whether truth.json in `folder` holds series, or sessions. An unreadable file counts as one of sessions.
 bool holdsSeries(const std::string& folder);
 bool holdsSessions(const std::string& folder);
 

@@ -160,7 +160,7 @@ class Simulator {
   Angle m_step;
   std::vector<PlannedRow> m_plan;
   std::size_t m_rows = 0, m_taken = 0;
-  int m_repeat = 1;  ///< the repeat at its axis
+  int m_repeat = 1;  ///< the repeat of the position at its axis
   Angle m_place;
   std::string m_slider;
 };

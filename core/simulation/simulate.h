@@ -12,10 +12,10 @@
 
 namespace alidade {
 
-// The situation: a theodolite reads a guideway, both with known errors (the truth), by a plan (the protocol).
-// Readings follow from the one forward model (observe.h), with white normal noise of the stated σ, and are
-// rounded to the truth's step. The pointing zero of each position is sighted in face 1 just before its rows
-// or, if the truth requires it, in both faces just before and just after them.
+// Simulates a theodolite that reads a guideway. The errors of both are known (the truth); a plan (the
+// protocol) states the readings. Readings follow from the forward model (observe.h), with white normal noise
+// of the stated σ, and are rounded to the truth's step. The pointing zero of each position is sighted in face
+// 1 just before its rows or, if the truth requires it, in both faces just before and just after them.
 
 /// Circle readings in one face, neither rounded nor wrapped.
 struct CircleReadings {
@@ -63,10 +63,10 @@ class PerfectReadings {
 
 /// The session of a truth, by a protocol, with the noise of `seed`. The same seed gives the same places and
 /// noise for any truth, with or without slider readings. Fails, with the row, if a gross error names a row
-/// that the protocol lacks, or if a target cannot be sighted. Called as in samples/programs/simulate.cpp.
+/// that the protocol lacks, or if a target cannot be sighted. Example: samples/programs/simulate.cpp.
 Result<Session> simulate(const Protocol& protocol, const Truth& truth, std::uint64_t seed);
 
-/// The same places and rows, read without noise and without rounding to the truth's step.
+/// The session of `simulate` without noise and without rounding to the truth's step.
 Result<Session> simulateWithoutNoise(const Protocol& protocol, const Truth& truth, std::uint64_t seed);
 
 }  // namespace alidade

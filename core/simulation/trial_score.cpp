@@ -17,14 +17,14 @@ bool isNamed(const Diagnosis& diagnosis, const std::string& id) {
   return std::ranges::find(diagnosis.causes, id, &Cause::effect) != diagnosis.causes.end();
 }
 
-/// Is `id` the first cause, or among the look-alikes of the first cause?
+/// True if `id` is the first cause or one of its look-alikes.
 bool isFirst(const Diagnosis& diagnosis, const std::string& id) {
   if (diagnosis.causes.empty()) return false;
   const Cause& first = diagnosis.causes.front();
   return first.effect == id || holds(first.indistinguishableFrom, id);
 }
 
-/// The number of look-alikes of the first cause that are neither the truth nor look-alikes of it.
+/// The number of look-alikes of the first cause that are neither the truth nor one of its look-alikes.
 std::ptrdiff_t strangersIn(const Diagnosis& diagnosis, const SealedTruth& truth) {
   return std::ranges::count_if(diagnosis.causes.front().indistinguishableFrom, [&](const std::string& id) {
     return id != truth.kind && !holds(truth.lookAlikes, id);
@@ -66,7 +66,7 @@ bool isRight(TrialClass trialClass, const SealedTruth& truth, const Diagnosis& d
   return false;
 }
 
-/// Does the interval contain the true Δd?
+/// True if the interval contains the true Δd; absent without an estimate.
 std::optional<bool> covers(const std::optional<IntersectionEstimate>& estimate, const SealedTruth& truth) {
   if (!estimate) return std::nullopt;
   return std::abs(estimate->value - truth.intersection) <= estimate->expanded;

@@ -17,9 +17,9 @@ namespace alidade {
 //   look-alikes (a visible effect with look-alikes): the effect is the first cause or in the group of the
 //     first cause, and at most one other member of that group is not its look-alike
 //   gross_error: exactly the wrong readings are named, and nothing else
-//   two_causes: both causes are named; further ones may be
+//   two_causes: both causes are named; further causes may be named, too
 //   unknown, and an own effect that the session does not state: the verdict is not-in-catalogue
-//   others (the relation of the vertical circle, a jump, larger noise): it is the first cause
+//   others (the relation of the vertical circle, a jump, larger noise): the kind is the first cause
 //
 // A truth file without the visibility of the effect is scored as `others`.
 
@@ -37,11 +37,11 @@ struct TrialScore {
   std::string answer = {};  ///< the only cause, "several-causes" if more are named, else the verdict
   bool detected = false;    ///< a gap was found at all
   bool named = false;       ///< the truth, alone or in a group, is the first cause
-  /// Is the true Δd within Δd ± U with the causes found? Absent without a named cause or without Δd.
+  /// Whether the true Δd is within Δd ± U with the causes found. Absent without a named cause or without Δd.
   std::optional<bool> covered = {};
-  /// The same whether a cause is named or not: with the causes found; for Δd, measured. Absent without Δd.
+  /// As `covered`, but also without a named cause; the same for Δd, measured. Absent without Δd.
   std::optional<bool> coveredAfter = {}, coveredMeasured = {};
-  /// With the causes found, is reduced χ² at noise level (p above 0.1 %)? Absent without a named cause.
+  /// Whether the causes found bring reduced χ² to noise level (p above 0.1 %). Absent without a named cause.
   std::optional<bool> backToNoise = {};
 };
 
@@ -49,8 +49,8 @@ TrialClass classOf(const SealedTruth& truth);
 
 TrialScore scoreTrial(const SealedTruth& truth, const Diagnosis& diagnosis);
 
-/// Checks a diagnosis made with the truth's effect removed from the catalogue. True if it names one
-/// cause, with or without look-alikes, and this cause is not a look-alike of the truth.
+/// Checks a diagnosis made with the truth's effect removed from the catalogue. True if the diagnosis names
+/// one cause, with or without look-alikes, and this cause is not a look-alike of the truth.
 bool blamesWrongCause(const SealedTruth& truth, const Diagnosis& diagnosis);
 
 }  // namespace alidade

@@ -17,8 +17,8 @@ namespace alidade {
 struct ScoredTrial {
   SealedTruth truth;
   TrialScore score;
-  /// If requested: did the diagnosis name a wrong cause with the truth's effect removed from the catalogue?
-  /// Absent for truths that are not effects or are undetectable.
+  /// Whether a diagnosis named a wrong cause after the truth's effect was removed from the catalogue. Absent
+  /// if not requested, and for truths that are not effects or are undetectable.
   std::optional<bool> wrongWithout = {};
 };
 
@@ -30,15 +30,15 @@ struct TrialCase {
 
 struct TrialSeriesOptions {
   std::size_t count = 100;
-  bool withheld = false;            ///< also check each effect with itself removed from the catalogue
-  std::vector<OwnEffect> own = {};  ///< added to stored sessions that have their owner
+  bool withheld = false;            ///< also diagnose each session with its effect removed from the catalogue
+  std::vector<OwnEffect> own = {};  ///< added to the stored sessions of their owner
   unsigned threads = 0;             ///< 0: as many as the machine has; the result is the same for any number
   /// Called with the number of finished trials, from any thread, one call at a time.
   std::function<void(std::size_t)> progress = {};
 };
 
-/// Diagnoses and scores the trials that `trialAt` gives for 0…count − 1; several threads call `trialAt`. The
-/// result is in their order, or the first problem in that order.
+/// Diagnoses and scores the trials `trialAt(0)` … `trialAt(count − 1)`; several threads call `trialAt`.
+/// Returns the scores in this order, or the first problem in this order.
 Result<std::vector<ScoredTrial>> scoreTrials(const TrialSeriesOptions& options,
                                              const std::function<Result<TrialCase>(std::size_t)>& trialAt);
 

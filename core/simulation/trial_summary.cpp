@@ -6,7 +6,7 @@ namespace alidade {
 
 namespace {
 
-/// The bins are finer where detection begins; 6 is the required limit, 25 the largest drawn.
+/// The bins are finer where detection begins. 6 is `clearVisibility`, 25 the largest visibility drawn.
 std::vector<DetectionBin> emptyBins() {
   constexpr double edges[] = {0, 2, 3, 4, 5, 6, 8, 10, 15, 25, std::numeric_limits<double>::infinity()};
   std::vector<DetectionBin> bins;

@@ -37,7 +37,7 @@ struct KindTally {
   Tally right = {}, named = {};
   Tally quiet = {};     ///< no gap was found
   Tally after = {};     ///< true Δd within Δd ± U with the causes found, whatever these are
-  Tally measured = {};  ///< the same with Δd, measured
+  Tally measured = {};  ///< true Δd within Δd ± U for Δd, measured
 };
 
 struct TrialSummary {
@@ -49,7 +49,7 @@ struct TrialSummary {
   std::vector<DetectionBin> detection = {};
   Tally covered = {};       ///< true Δd within Δd ± U after the cause is added
   Tally backToNoise = {};   ///< reduced χ² with the cause added is at noise level
-  Tally wrongWithout = {};  ///< a wrong cause named, without the right one in the catalogue
+  Tally wrongWithout = {};  ///< a wrong cause is named, without the right one in the catalogue
 };
 
 TrialSummary summarise(const std::vector<ScoredTrial>& trials);

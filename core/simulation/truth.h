@@ -21,7 +21,7 @@ struct TrueSize {
 
 /// A jump that turns the instrument at one moment.
 struct OrientationJump {
-  double moment = 0.5;         ///< share of the session's rows taken before it, in (0, 1)
+  double moment = 0.5;         ///< share of the session's rows taken before the jump, in (0, 1)
   Angle horizontal, vertical;  ///< steps of the circle readings, converted to face 1
 };
 
@@ -79,7 +79,7 @@ struct Truth {
   std::optional<FormHarmonic> harmonic = {};
   std::optional<ForeignEffect> foreign = {};
   std::vector<TrueGrossError> grossErrors = {};
-  /// True noise of the circle readings divided by the stated one. Zeros and slider are as stated.
+  /// True noise of the circle readings divided by the stated noise. Zeros and slider have the stated noise.
   double noiseFactor = 1;
 
   // Values that the session states.

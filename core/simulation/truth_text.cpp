@@ -66,7 +66,7 @@ bool isWhole(double number, double least) {
 
 constexpr const char* repeatToo = ", and where the axis is measured again the how many-th time is meant";
 
-/// Are these `count` numbers that begin with an axis, perhaps followed by the repeat at that axis?
+/// True for `count` numbers that begin with an axis, or for one more number: the repeat at that axis.
 bool areOfAxis(const Numbers& numbers, std::size_t count) {
   if (numbers.size() != count && !(numbers.size() == count + 1 && isWhole(numbers.back(), 1))) return false;
   return numbers[0] == 0 || numbers[0] == 180;

@@ -19,7 +19,7 @@ namespace alidade {
 ///   gross_error=180,1,11,1,60,0: axis, round, point, face, horizontal and vertical, arcsec
 ///   own:dent=0.2: one of the user's own effects in `Truth::own`, in its unit
 ///   form_harmonic=7,0.1,0.1: order, cosine and sine, mm; uncatalogued
-///   local_dent=0.1,60,8, settling=20,0.2, …: other uncatalogued ones (foreign_effect.h)
+///   local_dent=0.1,60,8, settling=20,0.2, …: other uncatalogued disturbances (foreign_effect.h)
 ///
 /// Returns the reason if `text` cannot be read.
 std::optional<Problem> addEffect(Truth& truth, const std::string& text);
@@ -27,8 +27,8 @@ std::optional<Problem> addEffect(Truth& truth, const std::string& text);
 /// All names that `addEffect` accepts, with their units, a line each, for help texts.
 std::string effectNames();
 
-/// Ids that a diagnosis should name, each once, in the order of the catalogue; uncatalogued ones begin with
-/// `unknown_`. Effects of size 0 do not count.
+/// Ids that a diagnosis should name, each once, in the order of the catalogue; ids of uncatalogued effects
+/// begin with `unknown_`. Effects of size 0 do not count.
 std::vector<std::string> trueCauses(const Truth& truth);
 
 /// `none`, the id of the only cause, `two_causes` or `several_causes`.
@@ -36,7 +36,7 @@ std::string kindOf(const Truth& truth);
 
 /// The truth as a JSON document, {id: {…}}: seed, effects by name, intersection_mm, radius_mm, centre_x_mm,
 /// axis_height_mm, distance_mm, blunders ([position, round, point, face, horizontal, vertical], arcsec), kind
-/// (`kindOf`), protocol and reference; causes if there are several; true_sigma_arcsec if it is not as stated.
+/// (`kindOf`), protocol and reference; causes if several; true_sigma_arcsec if the noise is not as stated.
 std::string truthJson(const std::string& id, const Truth& truth);
 
 }  // namespace alidade

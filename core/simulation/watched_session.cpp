@@ -7,7 +7,7 @@ namespace alidade {
 WatchedSession::WatchedSession(const Protocol& protocol, const Truth& truth, std::uint64_t seed)
     : m_protocol(protocol), m_truth(truth), m_random(seed) {
   m_rows = plannedRows(protocol).size() * protocol.axes.size();
-  // The session has the statements of a whole session of this protocol and truth.
+  // The session has the statements (σ, geometry, …) of a whole session of this protocol and truth.
   if (const auto whole = simulate(protocol, truth, seed)) m_session = *whole;
   m_session.positions.clear();
 }

@@ -27,7 +27,7 @@ class WatchedSession {
   const Session& session() const { return m_session; }
   /// The usable part of the session.
   std::optional<Measurement> measurement() const;
-  std::size_t sightings() const { return m_taken; }  ///< of places
+  std::size_t sightings() const { return m_taken; }  ///< number of sightings of places
 
  private:
   const Protocol& m_protocol;

@@ -15,7 +15,7 @@ namespace {
 
 using namespace alidade::test;
 
-/// Every second one of five thousand states, since two that follow each other differ by one entry. Shards run
+/// Tests every second of five thousand states, since consecutive states differ by one entry only. Shards run
 /// in parallel.
 class EveryState : public testing::TestWithParam<int> {};
 

@@ -21,7 +21,7 @@
 #include "ui/panels/window/page_tabs.h"
 #include "ui/text/entry_text.h"
 
-// A session typed as at the instrument: by keyboard alone, with the eyes on the circles.
+// Types a session as at the instrument: by keyboard alone, with the eyes on the circles.
 
 namespace alidade::ui {
 namespace {
@@ -94,7 +94,7 @@ TEST(BenchEntry, APaperSessionIsTypedWithoutTheMouse) {
   }
 }
 
-/// A screen of 1920 by 1080 pixels at scale 2 has half of each, less frame and title.
+/// At scale 2, a screen of 1920 × 1080 pixels has half of each for the window, less its frame and title.
 TEST(BenchEntry, TheWindowFitsASmallScreenAtScaleTwo) {
   EntryBench bench;
   bench.start(paperSession());

@@ -18,7 +18,7 @@
 #include "ui/text/entry_text.h"
 
 // Events during typing: fits, diagnoses, readings of an instrument, other changes of the session. None of
-// them changes an open editor or an unfinished form. Here they arrive between any two keys.
+// these changes an open editor or an unfinished form. Here they arrive between any two keys.
 
 namespace alidade::ui {
 namespace {

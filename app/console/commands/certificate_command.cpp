@@ -30,7 +30,7 @@ struct ReadSession {
   Session session;
 };
 
-/// The session and the bytes to embed: those of its file or, if a record is added, of the changed session.
+/// The session and the bytes to embed: those of the file or, if a record is added, of the changed session.
 Result<ReadSession> readWhole(const CertificateRequest& request) {
   Result<std::string> bytes = request.file == "-" ? readStandardInput() : readFile(request.file);
   if (!bytes) return bytes.problem();

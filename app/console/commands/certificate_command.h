@@ -17,7 +17,7 @@ struct CertificateRequest {
   std::string file;        ///< `-`: standard input
   std::string out;         ///< the certificate's path
   std::string pdf;         ///< path of the accompanying acceptance report; empty: none
-  bool isDraft = false;    ///< whether to write it in spite of missing entries
+  bool isDraft = false;    ///< whether to write the certificate although entries are missing
   std::string measuredOn;  ///< used if the session states no day
   std::string country, performedAt, manufacturer;  ///< as in `CertificateOptions`
   std::string issued;                              ///< day of issue; empty: none

@@ -45,7 +45,7 @@ std::optional<Problem> keep(const OwnEffect& effect, const DiagnoseRequest& requ
   return writeOutputs({{"--keep-form", request.keepForm, writeOwnEffect(effect)}}, request.files);
 }
 
-/// Writes the first form as an effect of the user's own.
+/// Writes the first form of the diagnosis to the file of `--keep-form`, as an effect of the user's own.
 std::optional<Problem> keepForm(const DiagnoseRequest& request, const Diagnosis& diagnosis,
                                 const Session& session) {
   if (diagnosis.forms.empty()) return Problem{"--keep-form: no form was found in these readings"};
@@ -58,7 +58,7 @@ std::optional<Problem> keepOffered(const DiagnoseRequest& request, const SeriesD
   return keep(series.offered.front().effect, request);
 }
 
-/// The name of the series: its folder, or its number of files.
+/// The name of the series: the name of its folder, or the number of its sessions.
 std::string seriesName(const std::vector<std::string>& named, std::size_t sessions) {
   if (named.size() == 1) {
     const std::filesystem::path folder = std::filesystem::path(named.front()).lexically_normal();
@@ -68,8 +68,8 @@ std::string seriesName(const std::vector<std::string>& named, std::size_t sessio
   return "Series of " + counted(sessions, "session");
 }
 
-/// Accepts the ids of the catalogue, which the help lists, and any id with the prefix of the user's own
-/// effects, which only the session knows.
+/// Accepts the ids of the catalogue, which the help lists. Also accepts any id with the prefix of the user's
+/// own effects: only the session can tell whether the effect exists.
 CLI::Validator effectCheck() {
   CLI::Validator check = CLI::IsMember(diagnosableEffects());
   check.operation([isOfCatalogue = check](std::string& id) {

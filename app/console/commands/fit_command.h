@@ -25,7 +25,7 @@ struct FitRequest {
   std::uint64_t seed = 1;            ///< seed of the draws
   std::string instrument;            ///< path of an instrument record; empty: none
   std::vector<std::string> effects;  ///< files and folders of effects of the user's own
-  std::string csv;                   ///< "residuals", "budget" or "results": a table instead; empty: none
+  std::string csv;                   ///< "residuals", "budget" or "results": table to print; empty: none
   bool diagnosis = true;             ///< whether to diagnose the gap; the verdict then uses the diagnosis
   bool verdictExit = false;          ///< whether the exit code states the verdict
   BatchOptions batch = {};
@@ -36,9 +36,9 @@ struct FitRequest {
 /// [--verdict-exit] [--threads N] [--progress] [--json]`, which fills in `request`.
 void addFitCommand(CLI::App& app, FitRequest& request);
 
-/// The fit of one file as text or JSON. Fails if the session cannot be read or an arc cannot be fitted. Also
-/// fails if any entry is unusable; the first is named, the others are counted. A missing position is only a
-/// finding. The verdict is added to `verdicts`.
+/// The fit of one file as text, JSON or table. Fails if the session cannot be read, an arc cannot be fitted
+/// or an entry is unusable. The problem names the first unusable entry and the number of the others. A
+/// missing position is only a finding. With `verdictExit`, adds the verdict to `verdicts`.
 Result<std::string> runFit(const FitRequest& request, const std::string& file, VerdictExit& verdicts);
 
 }  // namespace alidade::console

@@ -191,7 +191,7 @@ class Histories {
     return m_request.batch.json ? historyJson(name, histories, remarks) : historyText(name, histories);
   }
 
-  /// Reads the files. Returns the usable ones in order, and reports the others.
+  /// Reads the files. Returns the epochs of the usable files in order, and reports the other files.
   std::vector<Epoch> load(const std::vector<ListedFile>& files, std::vector<std::string>& remarks) {
     std::vector<std::optional<Epoch>> loaded(files.size());
     std::vector<std::string> reasons(files.size());

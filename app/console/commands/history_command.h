@@ -24,8 +24,8 @@ struct HistoryRequest {
 void addHistoryCommand(CLI::App& app, HistoryRequest& request);
 
 /// Writes the history of each folder, series and table. Sessions or records that are named one by one form
-/// one history. Several inputs get a result each (`answerEach`). Sessions of a folder that are unusable or
-/// lack a date are named on stderr; the others are evaluated, and the exit code is `BadInput`.
+/// one history. Several inputs get a result each (`answerEach`). Unusable files, and sessions without a date,
+/// are named on stderr; the others are evaluated. Any unusable file makes the exit code `BadInput`.
 int giveHistory(const HistoryRequest& request);
 
 }  // namespace alidade::console

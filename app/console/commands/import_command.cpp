@@ -75,8 +75,8 @@ std::vector<Position>::iterator firstAt(int axis, Session& session) {
   });
 }
 
-/// Sets the pointing zero of the first position at `axis`. Checks the wider range, that of elevations, since
-/// a column name may still state the kind of circle.
+/// Sets the pointing zero of the first position at `axis`. Checks the vertical reading against the range of
+/// elevations, which is the wider one: a column name may still state the kind of circle.
 std::optional<Problem> setZero(const char* option, const std::vector<std::string>& given, AngleUnit unit,
                                int axis, Session& session) {
   if (given.empty()) return std::nullopt;

@@ -14,7 +14,7 @@ class App;
 
 namespace alidade::console {
 
-/// The arguments of `alidade-cli import`. Empty texts: not given.
+/// The arguments of `alidade-cli import`. An empty text means that the option is not given.
 struct ImportRequest {
   std::vector<std::string> files;  ///< paths, or - for standard input
   std::string out;                 ///< session file to write
@@ -24,7 +24,7 @@ struct ImportRequest {
   std::string sigma;                                       ///< σ of both circles, arcseconds
   std::vector<std::string> zero0, zero180;                 ///< horizontal and vertical pointing zero
   std::string zeroPoint;
-  std::vector<std::string> axes, rounds;  ///< one for each file, - if the file states it; empty: not given
+  std::vector<std::string> axes, rounds;  ///< entry for each file, - as the file states; empty: not given
   std::string unit;                       ///< unit of plain numbers in a table: deg, gon or dms
   std::string decimalSign;                ///< point or comma
   std::vector<std::string> columns;       ///< keys of a table's columns, - for an unused one
@@ -41,10 +41,10 @@ struct ImportAnswer {
   std::vector<std::string> remarks;  ///< unused parts of the input, and missing parts of the session
 };
 
-/// The options for the import. Fails if one is unusable, or if `out` is the input file.
+/// The options for the import. Fails if one is unusable, or if `out` names a file that is read.
 Result<ImportOptions> importOptions(const ImportRequest& request);
 
-/// Writes the session. Fails without writing if the file or a line of it is unusable.
+/// Writes the session. Fails without writing if a file or one of its lines is unusable.
 Result<ImportAnswer> runImport(const ImportRequest& request, const ImportOptions& options);
 
 }  // namespace alidade::console

@@ -20,7 +20,7 @@ struct InstrumentRequest {
   std::string unit;             ///< deg, gon or dms; empty: from the files
   std::string verticalCircle;   ///< zenith or elevation; empty: from the files
   std::string record;           ///< instrument record to write; empty: none
-  CheckIdentity identity = {};  ///< in place of what the files state
+  CheckIdentity identity = {};  ///< replaces what the files state
   bool json = false;
 };
 
@@ -34,8 +34,8 @@ struct InstrumentAnswer {
 /// `request`.
 void addInstrumentCommand(CLI::App& app, InstrumentRequest& request);
 
-/// The check as text or JSON, after writing the record. Fails if a file is unusable, a figure is impossible,
-/// or the record is empty or cannot be written.
+/// The check as text or JSON, after writing the record. Fails if a file is unusable, a figure is implausible,
+/// a day is invalid, or the record is empty or cannot be written.
 Result<InstrumentAnswer> runInstrument(const InstrumentRequest& request);
 
 }  // namespace alidade::console

@@ -21,7 +21,7 @@ struct SimulatorRequest {
   double noise = 0;  ///< arcsec
   std::vector<std::string> faults;
   std::optional<int> faultEvery;
-  double every = 0;  ///< interval of the key REC, s; 0: Enter presses it
+  double every = 0;  ///< interval at which the key REC is pressed, s; 0: Enter presses it
   int width = 16;
   std::string unit = "dms";
   std::vector<std::string> uncorrected;

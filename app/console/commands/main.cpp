@@ -75,7 +75,7 @@ int giveInstrument(const InstrumentRequest& request, std::string& subject) {
   return writeResult(answer->result);
 }
 
-/// Writes one result for one file, or one result for each of several files or files of a folder.
+/// Writes the fit of one file, or of each file if several, a folder or a series are named.
 int giveFits(const FitRequest& request, std::string& subject, VerdictExit& verdicts) {
   const auto answer = [&](const std::string& file) { return runFit(request, file, verdicts); };
   if (!namesMany(request.files)) {

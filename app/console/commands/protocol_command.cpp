@@ -66,7 +66,7 @@ Result<SightingProtocol> advisedFor(const Session& session) {
   return own;
 }
 
-/// The file named by --template; empty if it names none.
+/// The file named by --template; empty if --template names no file.
 std::string templateFile(const ProtocolRequest& request) {
   const std::string& named = request.protocol;
   return named == fromRows || named == fromPlan || templateNamed(named) ? std::string() : named;

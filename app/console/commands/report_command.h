@@ -26,8 +26,8 @@ struct ReportRequest {
 void addReportCommand(CLI::App& app, ReportRequest& request);
 
 /// Writes the acceptance report of each session, named like the session with the suffix `.pdf`. The program
-/// `alidade` beside this one paints them, one process for each session, without a display. Of several
-/// sessions whose reports would have the same path, only the first gets a report.
+/// `alidade` in the folder of this program makes the reports, one process for each session, without a
+/// display. If several sessions would have the same report path, only the first one gets a report.
 int giveReports(const ReportRequest& request);
 
 }  // namespace alidade::console

@@ -17,8 +17,8 @@ struct SelfTestRequest {
 /// Adds `self-test [--fits FILE] [--numbers FILE] [--json]`, which fills in `request`.
 void addSelfTestCommand(CLI::App& app, SelfTestRequest& request);
 
-/// Prints the self-test. `Done` if everything passed, `Failed` if anything failed, `BadInput` if a reference
-/// cannot be read.
+/// Prints the self-test. Returns `Done` if everything passed, `Failed` if anything failed, and `BadInput` if
+/// a reference cannot be read.
 int giveSelfTest(const SelfTestRequest& request);
 
 }  // namespace alidade::console

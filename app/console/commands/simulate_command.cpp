@@ -23,7 +23,7 @@ namespace {
 constexpr double shortestMm = 1e-6, longestMm = 1e6, leastArcsec = 1e-6, largestArcsec = 3600;
 constexpr int mostPoints = 100000, mostRounds = 1000;
 
-/// A number that is drawn, or has a default, if it is not given.
+/// An option with a number. Without the option, the number is drawn or has a default.
 struct NumberOption {
   const char* name;
   std::optional<double> SimulateRequest::*value;
@@ -114,7 +114,7 @@ Truth truthOf(const SimulateRequest& request) {
   return truth;
 }
 
-/// The named protocol. A given number of points is spread over the same range.
+/// The named protocol. If the request states a number of points, they are spread over the same range.
 Protocol protocolOf(const SimulateRequest& request) {
   Protocol protocol = *protocolByName(request.protocol);
   if (request.rounds) protocol.rounds = *request.rounds;
@@ -125,7 +125,7 @@ Protocol protocolOf(const SimulateRequest& request) {
   return protocol;
 }
 
-/// Simulates the session. If the compensator is on, removes the tilts that it corrects from the truth.
+/// Simulates the session. If the compensator is on, removes the tilts of the vertical axis from `truth`.
 Result<Session> sessionOf(const SimulateRequest& request, Truth& truth) {
   const Angle sigma = Angle::fromArcseconds(request.sigmaCompensator.value_or(1));
   const bool isOn = request.compensator == "on";

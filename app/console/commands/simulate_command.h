@@ -16,7 +16,7 @@ namespace alidade::console {
 /// The arguments of `alidade-cli simulate`. Missing parts of the truth are drawn from the seed.
 struct SimulateRequest {
   std::string out, truth;                      ///< files to write
-  std::string title, notes;                    ///< of the session; empty: a title from the seed, and no notes
+  std::string title, notes;                    ///< of the session; an empty title is made from the seed
   std::string measuredOn;                      ///< date stated in the session
   std::string deviceSerial, instrumentSerial;  ///< stated in the session
   std::uint64_t seed = 1;

@@ -19,10 +19,10 @@ struct TrialRequest {
   std::size_t series = 0;  ///< number of series of sessions; 0: single sessions
   std::uint64_t seed = 1;
   std::string protocol;              ///< empty: drawn
-  std::string folder;                ///< folder of existing trials; empty: drawn here
+  std::string folder;                ///< folder of existing trials; empty: trials are drawn
   std::vector<std::string> effects;  ///< files of own effects that are drawn, too
   bool withheld = false;
-  bool adaptive = false;    ///< whether to compare an order by worth with that of the protocol
+  bool adaptive = false;    ///< whether to compare the order by worth with the protocol's order
   std::size_t two = 0;      ///< number of additional sessions with two effects; needs `adaptive`
   std::size_t unknown = 0;  ///< number of additional sessions with an uncatalogued effect; needs `adaptive`
   std::size_t clean = 0;    ///< number of additional sessions without an effect; needs `adaptive`

@@ -75,7 +75,7 @@ std::optional<CongruenceTest> test(const Vector& one, double oneFreedom, const V
   const Eigen::MatrixXd covariance = one.covariance + other.covariance;
   const Eigen::VectorXd us = covariance.diagonal().cwiseSqrt();
   if (!us.allFinite() || !(us.minCoeff() > 0)) return std::nullopt;
-  // Computes in units of σ: the centres and radii of a short arc are highly correlated.
+  // Scaled to units of σ for a stable factorisation: centres and radii of a short arc are highly correlated.
   const Eigen::MatrixXd correlation =
       us.cwiseInverse().asDiagonal() * covariance * us.cwiseInverse().asDiagonal();
   const Eigen::LLT<Eigen::MatrixXd> factor(correlation);
@@ -122,7 +122,7 @@ Congruence congruenceOf(const std::vector<Epoch>& epochs, std::size_t first, std
       a * a / one.intersection.degreesOfFreedom + b * b / other.intersection.degreesOfFreedom;
   const double freedom =
       inverse > 0 ? std::pow(congruence.u, 4) / inverse : std::numeric_limits<double>::infinity();
-  // Cancelling must not reduce the degrees of freedom: the cancelled part has no sampling error.
+  // Shared effects that cancel must not reduce the degrees of freedom: their size has no sampling error.
   const double counted =
       std::max(freedom, std::min(one.intersection.degreesOfFreedom, other.intersection.degreesOfFreedom));
   congruence.expanded = coverageFactor(std::max(one.coverage, other.coverage), counted) * congruence.u;

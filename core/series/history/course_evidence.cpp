@@ -11,7 +11,7 @@ namespace {
 
 constexpr double infinite = std::numeric_limits<double>::infinity();
 
-/// Accumulates log Σ exp.
+/// Accumulates the logarithm of a sum of exponentials.
 class LogSum {
  public:
   void add(double log) {
@@ -29,7 +29,7 @@ class LogSum {
   double m_largest = -infinite, m_sum = 0;
 };
 
-/// Log density of a size in units of ū, at noise s.
+/// Log prior density of the size of a change, in units of ū, at noise s.
 double logCauchy(double size, double s) {
   constexpr double scale = 3;
   const double width = scale * s;
@@ -243,14 +243,14 @@ class Evidence {
     return moved;
   }
 
-  /// Log evidence of wandering, by a Kalman filter with an unknown first level. It is relative to a constant
-  /// level at s = 1 with zero residuals, as for the other courses.
+  /// Log evidence of wandering, by a Kalman filter with an unknown first level. Like the evidence of the
+  /// other courses, it is relative to a constant level at s = 1 with zero residuals.
   double ofWander() const {
     constexpr double finest = 0.3, ratio = 1.5;
     const double coarsest = std::max(30.0, 3 * std::sqrt(m_chiSquare / m_all.w));
     const double base = wandering(0, 1) + m_chiSquare / 2;
     LogSum sum;
-    constexpr std::size_t stride = 3;  // wandering is a smooth function of s
+    constexpr std::size_t stride = 3;  // every third s suffices, as wandering is smooth in s
     for (std::size_t i = 0; i < m_noise.size(); i += stride) {
       LogSum within;
       for (std::size_t j = i; j < std::min(i + stride, m_noise.size()); ++j) within.add(m_noise[j].logPrior);

@@ -11,17 +11,17 @@ namespace alidade {
 
 // How probable each course of the values is (`Course`). With ū the median of the stated u:
 //
-// - Every course has the noise s u, with one s for all values: s = 1 with prior probability 0.7, else above
-//   it, with the density 1/s². So values that scatter more than stated do not look like a series of steps. If
-//   a part of u may be absent, this 0.7 is spread uniformly in log s from its smallest value to 1.
+// - Every course has the noise s u, with one s for all values. s = 1 has the prior probability 0.7; larger s
+//   have the density 0.3/s². Values that scatter more than stated then need no steps to explain them. If a
+//   part of u may be absent, the 0.7 is spread uniformly in log s, from the smallest s to 1.
 // - The size of a change (a step, a trend's change over all dates, an odd value's deviation, the wandering
 //   over all dates) has a Cauchy distribution of scale 3 s ū.
-// - The prior probability of constant is 1/2, of steps 1/4 (one 3/4 of it, two 3/16, …), of a trend 1/8, of
-//   an odd value and of wandering 1/16 each. Every date may be that of a step, every value the odd one.
+// - The prior probability is 1/2 for constant, 1/4 for steps (3/4 of it for one, 3/16 for two, …), 1/8 for a
+//   trend, 1/16 each for an odd value and wandering. All step dates and odd values are equally probable.
 //
-// Levels and lines are integrated in closed form, with a flat prior for the level and the prior density of a
-// size taken at its best value; s and the rate of wandering are integrated numerically. The best dates of
-// each number of steps are exact; the sum runs over the dates of each step with the others fixed.
+// Levels and lines are integrated in closed form. The level has a flat prior; the prior density of a size is
+// taken at the best size. s and the rate of wandering are integrated numerically. The search for the best
+// dates of each number of steps is exact; the sum over dates varies one step and keeps the others fixed.
 
 /// The most probable dates of a given number of steps.
 struct SteppingEvidence {
@@ -32,20 +32,20 @@ struct SteppingEvidence {
 
 struct CourseEvidence {
   std::vector<CourseProbability> courses;    ///< the most probable first
-  std::optional<SteppingEvidence> stepping;  ///< the most probable number of steps
-  std::size_t oddValue = 0;                  ///< the most probable one
+  std::optional<SteppingEvidence> stepping;  ///< the steps, in their most probable number
+  std::size_t oddValue = 0;                  ///< index of the value that is most probably the odd one
 
   double of(Course course) const;
 };
 
-/// A value for the evidence: its date index, and its value from a common centre, in units of ū.
+/// A value for the evidence: the index of its date, and the value from a common centre, in units of ū.
 struct ScaledValue {
   std::size_t date = 0;
   double years = 0;  ///< from the first date
   double x = 0, u = 1;
 };
 
-/// Values by date, with at least three dates. `leastScatter`: lower limit of s, in (0, 1].
+/// `values`: sorted by date, with at least three dates. `leastScatter`: lower limit of s, in (0, 1].
 CourseEvidence courseEvidence(const std::vector<ScaledValue>& values, double leastScatter = 1);
 
 }  // namespace alidade

@@ -61,7 +61,7 @@ DeviceHistory historyOfDevice(std::vector<Epoch> epochs) {
 
 History intersectionHistory(const std::vector<Epoch>& epochs) {
   const bool oneDevice = allShare(epochs, haveOneDevice), oneInstrument = allShare(epochs, haveOneInstrument);
-  // The share of each lasting effect in the sessions; 0 in a session that does not list it.
+  // The share of each lasting effect in each session, mm; 0 in a session that does not list the effect.
   std::map<std::string, std::vector<double>> shares;
   for (std::size_t i = 0; i < epochs.size(); ++i)
     for (const LastingShare& share : epochs[i].lasting)
@@ -85,7 +85,7 @@ History intersectionHistory(const std::vector<Epoch>& epochs) {
   std::vector<DatedValue> values;
   for (std::size_t i = 0; i < epochs.size(); ++i) {
     DatedValue value = dated(epochs[i], epochs[i].intersection.value, epochs[i].intersection.sigma);
-    constexpr double least = 1e-3;  // of u: below it, the difference of two sums of squares is only rounding
+    constexpr double least = 1e-3;  // of u: a smaller difference of the sums of squares is rounding
     value.apart = std::min(value.u, std::max(least * value.u, std::sqrt(std::max(0.0, own[i]))));
     value.least = std::min(value.apart, epochs[i].ofFit.sigma);
     value.expanded = epochs[i].intersection.expanded;

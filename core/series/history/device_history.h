@@ -15,13 +15,13 @@ struct DeviceHistory {
   std::string name = {}, serial = {};
   std::vector<Epoch> epochs = {};                ///< by date, like the values of the first quantity
   std::vector<QuantityHistory> quantities = {};  ///< the intersection is the first
-  std::vector<Congruence> congruences = {};      ///< of `pairsOf`
+  std::vector<Congruence> congruences = {};      ///< of the pairs from `pairsOf`
   bool hasOneInstrument = false;                 ///< all sessions have the same instrument serial number
 };
 
-/// Epochs by device (its serial number, else its name), by date and, within a date, in the order given.
-/// Epochs without a date are left out: `undated` holds their indices. Epochs with the same readings as an
-/// earlier one are left out as well: `copies` pairs each with that earlier one.
+/// Epochs grouped by device (its serial number, else its name), sorted by date and, within a date, in the
+/// order given. Epochs without a date are excluded: `undated` holds their indices. Epochs with the same
+/// readings as an earlier epoch are excluded as well: `copies` pairs each of them with the earlier one.
 struct DeviceHistories {
   std::vector<DeviceHistory> devices;
   std::vector<std::size_t> undated = {};
@@ -29,16 +29,16 @@ struct DeviceHistories {
 };
 DeviceHistories deviceHistories(const std::vector<Epoch>& epochs);
 
-/// Makes the first sessions the baseline of every quantity's control chart; 0: all.
+/// The first `sessions` sessions become the baseline of every quantity's control chart; 0: all sessions.
 void setBaseline(DeviceHistory& device, std::size_t sessions);
 
-/// The pairs of epochs to compare: all pairs of up to 20 epochs; of more, each with the next, and the first
-/// with the last.
+/// The pairs of epochs to compare: for up to 20 epochs, all pairs; for more, each epoch with the next, and
+/// the first with the last.
 std::vector<std::pair<std::size_t, std::size_t>> pairsOf(std::size_t epochs);
 
-/// Δd, measured, of these epochs, which belong to one device. Effects shared by all (`sharedVariance`) are in
-/// each `u`, but not in `apart`. `apart` includes effects that may vary, such as drifts, at their plausible
-/// size; `least` is the uncertainty of the fit only.
+/// Δd, measured, of the epochs, which must belong to one device. Effects shared by all epochs
+/// (`sharedVariance`) are in each `u`, but not in `apart`. `apart` includes effects that may vary, such as
+/// drifts, at their plausible size; `least` is the uncertainty of the fit only.
 History intersectionHistory(const std::vector<Epoch>& epochs);
 
 }  // namespace alidade

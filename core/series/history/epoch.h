@@ -21,24 +21,24 @@ struct LastingShare {
   double sigma = 0;                              ///< mm
 };
 
-/// One number of a cause that was found.
+/// One parameter of a cause that the diagnosis found.
 struct EpochCause {
   std::string effect, parameter, unit;
   double value = 0, u = 0;
 };
 
-/// A centre coordinate or radius of the fit.
+/// A centre coordinate or radius of the fit, mm.
 struct EpochLength {
   std::string id;  ///< "o1_x", "o1_y", "radius_0", "o2_x", "o2_y", "radius_180"
   double value = 0;
 };
 
-/// The results of one session on its device, with the date of the session.
+/// The date and the results of one session.
 struct Epoch {
   std::string file = {}, title = {};
   std::string readings = {};  ///< `readingsDigest`
   std::string date = {};      ///< as in the session; empty: none
-  double day = 0;             ///< days from 2000-01-01; with a date
+  double day = 0;             ///< days from 2000-01-01; only with a `date`
   std::string device = {}, deviceSerial = {}, instrument = {}, instrumentSerial = {};
   double coverage = 0.95;
   /// Δd, measured: with the effects that the diagnosis found and all plausible ones.
@@ -56,7 +56,7 @@ struct Epoch {
 
 /// Fits and diagnoses the session of `file`. Fails with the reason if the session yields no Δd.
 Result<Epoch> epochOf(const std::string& file, const Session& session);
-/// The epoch of a finished fit and diagnosis. `fit` has an intersection, `diagnosis` a Δd, measured.
+/// The epoch of a finished fit and diagnosis. `fit` must have an intersection, `diagnosis` a Δd, measured.
 Epoch epochOf(const std::string& file, const Session& session, const Measurement& measurement,
               const SessionFit& fit, const Diagnosis& diagnosis);
 /// The epoch of a session file.

@@ -23,7 +23,7 @@ double sumOfWeights(const std::vector<DatedValue>& values) {
 }
 
 double weightedMean(const std::vector<DatedValue>& values) {
-  const double first = values.front().value;  // subtracted: otherwise rounding hides small u
+  const double first = values.front().value;  // subtracted so that rounding does not hide a small u
   double sum = 0;
   for (const DatedValue& value : values) sum += weightOf(value) * (value.value - first);
   return first + sum / sumOfWeights(values);
@@ -126,7 +126,7 @@ struct Level {
 };
 
 void addSteps(History& history, const SteppingEvidence& found, const std::vector<std::size_t>& dates) {
-  std::vector<std::size_t> firstOfDate;  // with the end appended
+  std::vector<std::size_t> firstOfDate;  // index of the first value of each date
   for (std::size_t i = 0; i < dates.size(); ++i)
     if (firstOfDate.size() == dates[i]) firstOfDate.push_back(i);
   std::vector<std::size_t> bounds{0};
@@ -170,8 +170,8 @@ void judge(History& history) {
   if (best.course == Course::Trend) history.scatter = history.trend->u / history.trend->stated;
 }
 
-/// Adds the points of the values from `first` to before `end`; their average begins at the centre line.
-/// `centreU`: 0 for values of the baseline.
+/// Adds the points of the values from `first` to before `end`. The exponentially weighted average of these
+/// values begins at the centre line. `centreU`: 0 for values of the baseline.
 void addPoints(ControlChart& chart, const std::vector<DatedValue>& values, std::size_t first, std::size_t end,
                double centreU) {
   double ewma = 0, variance = 0, weight = 0;

@@ -30,12 +30,12 @@ struct DateTick {
   std::string label;
 };
 
-/// Equidistant dates of the calendar between two days, at most `most` (≥ 1): as many as a step of 1, 2, 7 or
-/// 14 days, 1, 2, 3 or 6 months, or 1, 2, 5, 10, … years allows. Both days are between 1500 and 2200; may be
-/// empty.
+/// Calendar dates between two days, at most `most` (≥ 1). Their step is the smallest of 1, 2, 7 or 14 days,
+/// 1, 2, 3 or 6 months, or 1, 2, 5, 10, … years that fits `most`. Both days must be between 1500 and 2200.
+/// The result may be empty.
 std::vector<DateTick> dateTicks(double from, double to, std::size_t most);
 
-/// The year read as a decimal one: 2019 is its beginning, like 2019.0.
+/// A whole year reinterpreted as a decimal year: 2019 then means its beginning, 2019.0.
 HistoryDate asDecimalYear(const HistoryDate& year);
 
 }  // namespace alidade

@@ -13,12 +13,12 @@ namespace alidade {
 /// says what the document describes.
 std::string historyJson(const std::string& name, const ValueTable& table, const History& history);
 
-/// For one device the document has its intersection with all its quantities and congruences; for several a
-/// list of these under `devices`. `remarks`: sentences about excluded sessions.
+/// For one device, the document holds the history of Δd with all quantities and congruences. For several
+/// devices, `devices` lists this content for each device. `remarks`: sentences about excluded sessions.
 std::string historyJson(const std::string& name, const DeviceHistories& histories,
                         const std::vector<std::string>& remarks);
 
-/// The records of instruments, and each of their constants.
+/// The records of each instrument, and the history of each of its constants.
 std::string historyJson(const std::string& name, const InstrumentHistories& histories,
                         const std::vector<std::string>& remarks);
 

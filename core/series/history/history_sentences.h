@@ -8,8 +8,8 @@
 
 namespace alidade {
 
-/// Numbers of one quantity, all with the same decimals and power of ten, which show its smallest U with two
-/// digits. Each ± is an expanded uncertainty at the history's coverage.
+/// Formats numbers of one quantity, all with the same power of ten and as many decimals as show the smallest
+/// U with two digits. Each ± is an expanded uncertainty at the history's coverage.
 class HistoryNumbers {
  public:
   /// `unit`: may be empty.
@@ -39,10 +39,10 @@ std::string plusMinusText(const History& history);
 /// whether the values after the baseline are within their limits.
 std::vector<std::string> historySentences(const History& history, const std::string& unit);
 
-/// States which errors the sessions of a device have in common, so that comparisons exclude them.
+/// States which errors the sessions of a device share. Comparisons between sessions exclude these.
 std::string sharedSentence(const DeviceHistory& device);
 
-/// Has Δd changed between two epochs, and has the rest of the device?
+/// States whether Δd, the rest of the device and the set-up have changed between two epochs.
 std::vector<std::string> congruenceSentences(const std::vector<Epoch>& epochs, const Congruence& congruence);
 
 /// The name of a quantity for people, by its id: "Δd, measured", "O1, x", "trunnion tilt: tilt".
@@ -51,7 +51,7 @@ std::string quantityName(const std::string& id);
 /// The name of a course for people: "constant", "in steps".
 std::string courseName(Course course);
 
-/// The reason why a session is excluded: `title` has no date.
+/// States that the session `title` is not used because it has no date.
 std::string undatedSentence(const std::string& title);
 
 }  // namespace alidade

@@ -8,10 +8,10 @@
 
 namespace alidade {
 
-// Tables and sentences of a history; user texts are visible (`visibleText`). They are here because the folder
-// of statements must not depend on histories.
+// Tables and sentences of a history; invisible characters of user texts are escaped (`visibleText`). They are
+// in this folder because the folder of the other statements must not depend on histories.
 
-/// Each value with U and its Shewhart limits, and its weighted average with limits; below, the sentences.
+/// Each value with U, Shewhart limits, and the exponentially weighted average with limits; then sentences.
 Statement valueTable(const History& history, const std::string& unit);
 /// Each session with Δd, measured, and its verdict; below each row, the condition of the verdict.
 Statement sessionTable(const DeviceHistory& device);
@@ -29,7 +29,7 @@ std::vector<std::string> quantitySentences(const DeviceHistory& device, const Qu
 
 /// "Guideway 7, serial number G-07".
 std::string deviceName(const DeviceHistory& device);
-/// Name and serial number of an instrument, in the same form.
+/// Name and serial number of an instrument, in the form of `deviceName`.
 std::string instrumentName(const InstrumentHistory& instrument);
 /// "0.19 mm ± 0.23 mm": Δd, measured, and its expanded uncertainty.
 std::string intersectionText(const Epoch& epoch);

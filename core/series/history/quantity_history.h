@@ -34,8 +34,8 @@ class FoundQuantities {
 };
 
 /// Sets the baseline of every quantity's control chart: the first `baseline` sessions or records; 0: all.
-/// `days`: the day of each session or record, ascending. If some of these lack a quantity, its baseline is
-/// its values until the last day of the baseline.
+/// `days`: the day of each session or record, ascending. If a quantity is absent from some sessions or
+/// records, its baseline ends with its last value on or before the last day of the baseline.
 void setBaseline(std::vector<QuantityHistory>& quantities, std::size_t baseline,
                  const std::vector<double>& days);
 

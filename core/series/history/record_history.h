@@ -23,15 +23,15 @@ struct InstrumentHistory {
   std::vector<QuantityHistory> quantities;
 };
 
-/// Records by instrument (its serial number, else its name). Records with equal contents count once: `copies`
-/// pairs each further one with the first.
+/// Records grouped by instrument (its serial number, else its name). Records with equal contents count once:
+/// `copies` pairs each later copy with the first record.
 struct InstrumentHistories {
   std::vector<InstrumentHistory> instruments;
   std::vector<std::pair<std::size_t, std::size_t>> copies = {};
 };
 InstrumentHistories instrumentHistories(const std::vector<KeptRecord>& records);
 
-/// Makes the first records the baseline of every constant's control chart; 0: all.
+/// The first `records` records become the baseline of every constant's control chart; 0: all records.
 void setBaseline(InstrumentHistory& instrument, std::size_t records);
 
 }  // namespace alidade

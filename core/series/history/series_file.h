@@ -9,12 +9,12 @@
 
 namespace alidade {
 
-/// The suffix of a series kept as a file.
+/// The suffix of a series file.
 inline constexpr std::string_view seriesSuffix = ".alidade-series";
 
 /// The sessions of a series.
 struct SeriesFile {
-  std::vector<std::string> sessions;  ///< paths, relative to the folder of the file
+  std::vector<std::string> sessions;  ///< paths; in the file, relative to the folder of the file
   std::size_t baseline = 0;           ///< number of first sessions in the baseline; 0: all
 
   bool operator==(const SeriesFile&) const = default;
@@ -23,7 +23,7 @@ struct SeriesFile {
 /// True if the path has the suffix of a series.
 bool isSeriesPath(std::string_view path);
 
-/// Reads the text of a `*.alidade-series` file (JSON, UTF-8, format version 1); fails with the place.
+/// Reads the text of a `*.alidade-series` file (JSON, UTF-8, format version 1). Problems name the place.
 Result<SeriesFile> readSeriesFile(std::string_view text);
 /// The series as the text of a file, ending in a newline.
 std::string writeSeriesFile(const SeriesFile& series);

@@ -5,16 +5,16 @@
 
 namespace alidade {
 
-/// Values of one date, or a stretch of dates, summed with their weights w.
+/// Sums Σ w, Σ w x and Σ w x² over the values of one date or of consecutive dates.
 struct WeightedSums {
   double w = 0, wx = 0, wxx = 0;
 
   double mean() const { return wx / w; }
-  double chiSquare() const;  ///< about their mean, ≥ 0
+  double chiSquare() const;  ///< about the mean, ≥ 0
   WeightedSums& operator+=(const WeightedSums& other);
 };
 
-/// Dates in order, each with its values. Sums over stretches of dates take constant time.
+/// The sums of each date, in order. Sums over consecutive dates take constant time.
 class DateSums {
  public:
   explicit DateSums(const std::vector<WeightedSums>& dates);
@@ -26,7 +26,7 @@ class DateSums {
   std::vector<WeightedSums> m_upTo;
 };
 
-/// The stretches, each with a level of its own, that minimise χ² for a given number of steps.
+/// The steps that minimise χ² for their number, with a separate level before, between and after the steps.
 struct Stepping {
   std::vector<std::size_t> firsts;  ///< index of the first date after each step, ascending
   double chiSquare = 0;
@@ -38,7 +38,7 @@ class StepSearch {
  public:
   explicit StepSearch(const DateSums& dates);
 
-  /// One step more than in the last call; one step in the first call. Requires more dates than steps.
+  /// The best dates of one step more than in the last call, at first of one. Needs more dates than steps.
   Stepping next();
 
  private:

@@ -69,7 +69,7 @@ bool isBlank(std::string_view text) {
 /// The content of each column.
 struct Columns {
   std::optional<std::size_t> date, value, u;
-  double factor = 1;  ///< from the column's numbers to the standard uncertainty
+  double factor = 1;  ///< the column's numbers are this many standard uncertainties
   std::string unit;
 };
 
@@ -262,7 +262,7 @@ class Reader {
 
   static std::string displayedU(double sigma) { return shortestText(sigma); }
 
-  /// Is the row like 2001,3,25,0,12, where commas separate columns or are decimal signs?
+  /// True for a row like 2001,3,25,0,12, in which commas are both separators and decimal signs.
   bool hasCommasInNumbers(const CsvRow& row) const {
     constexpr std::size_t pieces = 5;
     return row.cells.size() == pieces && (m_names.empty() || m_names.size() < pieces) &&

@@ -17,11 +17,11 @@ struct ValueTable {
 };
 
 /// Reads a table of date, value and standard uncertainty: separated by tabs, semicolons, commas or blanks,
-/// with a decimal point or comma, with or without column names. Without names, the columns are in this order,
-/// after any that hold neither a date nor a number. A value may include its uncertainty, as 6.6743(15) or
-/// 6.6743 ± 0.0015. A column named as an expanded uncertainty (k = 2) is halved, with a remark. Rows without
-/// a value are skipped, with a remark; a value without a positive uncertainty fails, with its line. Years
-/// alone mean the middle of the year, unless another date of the column is a decimal year.
+/// with a decimal point or comma, with or without column names. Without names, the columns are in this order;
+/// columns that hold neither a date nor a number are skipped. A value may include its uncertainty, as
+/// 6.6743(15) or 6.6743 ± 0.0015. A column named as an expanded uncertainty (k = 2) is halved, with a remark.
+/// Rows without a value are skipped, with a remark. Fails, with the line, if a value lacks a positive u. A
+/// year alone means the middle of the year, or the beginning if another date is a decimal year.
 Result<ValueTable> readValueTable(std::string_view bytes);
 
 }  // namespace alidade

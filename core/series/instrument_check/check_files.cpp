@@ -76,7 +76,7 @@ double closureIn(AngleUnit unit, const Recording& recording) {
   return *middle;
 }
 
-/// The unit in which the faces close clearly best; Unstated if there is none.
+/// The unit with clearly the smallest misclosure of the faces; Unstated if no unit stands out.
 AngleUnit unitByFaces(const Recording& plain) {
   constexpr double most = 0.5, byFar = 3;
   std::vector<std::pair<double, AngleUnit>> closures;
@@ -157,7 +157,7 @@ class CheckFiles {
     return readTableOf(*text, layoutOf(*recognised, m_options.unit));
   }
 
-  /// Is a circle reading a plain number whose unit is ambiguous?
+  /// True if a circle reading is a plain number, whose unit is ambiguous.
   static bool asksUnit(const Recording& recording) {
     return std::ranges::any_of(recording.sightings, [](const RecordedSighting& sighting) {
       const auto isPlain = [](const std::string& text) { return parseNumber(text) && !parseAngle(text); };
@@ -240,8 +240,8 @@ class CheckFiles {
     return 2 * elevations > all;
   }
 
-  /// Names the stations as in the files; adds the file's name if a station has none or shares it with
-  /// another.
+  /// Names the stations as in the files. A station without a name gets the stem of the file's name; a name
+  /// that several stations have is preceded by this stem.
   void nameStations(const std::vector<Recording>& recordings) {
     std::map<std::string, std::size_t> uses;
     for (const Recording& recording : recordings)

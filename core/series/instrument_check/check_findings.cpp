@@ -157,7 +157,7 @@ class StationFindings {
   }
 
   void reportTilt() {
-    constexpr double spread = 0.5;  // degrees of elevation: from this spread on, a tilt is sought
+    constexpr double spread = 0.5;  // degrees: the smallest spread of elevations in which a tilt is sought
     if (m_station.causes.tilt) return reportStatedTilt(*m_station.causes.tilt);
     if (!(m_station.highestDeg - m_station.lowestDeg > spread))
       return add(Severity::Note,

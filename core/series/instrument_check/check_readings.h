@@ -10,10 +10,10 @@
 
 namespace alidade {
 
-/// The circles that were read. ISO 17123-3 also checks each separately.
+/// The circles that were read. ISO 17123-3 also has a check for each circle alone.
 enum class CheckCircles { Both, HorizontalOnly, VerticalOnly };
 
-/// The instrument that was checked, and when. Any may be empty; the days are year-month-day.
+/// The instrument, and the days of the check. Any member may be empty; the days are year-month-day.
 struct CheckIdentity {
   std::string name = {}, serial = {};
   std::string measuredOn = {};
@@ -22,12 +22,12 @@ struct CheckIdentity {
   bool operator==(const CheckIdentity&) const = default;
 };
 
-/// `read`, overridden by what `typed` states. Fails if a day is invalid or the next check is not later.
+/// `read`, overridden by `typed`. Fails if a typed day is invalid, or the next check is not after this one.
 Result<CheckIdentity> identityOf(const CheckIdentity& typed, const CheckIdentity& read);
 
 /// One sighting of a target in one face, as read from the circles.
 struct FaceReading {
-  std::size_t station = 0, target = 0;  ///< indices of `CheckReadings`
+  std::size_t station = 0, target = 0;  ///< indices into the lists of `CheckReadings`
   std::string round = {};               ///< as in the file; empty: not stated
   int face = 1;
   Angle horizontal = {}, vertical = {};  ///< 0 for a circle that was not read

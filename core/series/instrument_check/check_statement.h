@@ -10,8 +10,8 @@
 
 namespace alidade {
 
-/// Is s no larger than the stated σ (question a of ISO 17123-3)? Absent if no σ is stated for the circles
-/// that were read. Also absent if σ is stated for only one of two circles, and this one passes.
+/// Whether s is at most its limit from the stated σ (question a of ISO 17123-3). Absent without a stated σ.
+/// Also absent if only one of two circles has a stated σ and passes the test.
 std::optional<bool> hasPassed(const InstrumentCheck& check);
 
 /// The verdict: its title is the headline, "Passed: s of a direction 0.74″ (limit 1.23″), …"; its sentences
@@ -21,10 +21,10 @@ Statement checkVerdict(const InstrumentCheck& check, const std::vector<Finding>&
 /// Instrument, serial number, day, and next check: a row for each, with a dash where it is not stated.
 Statement identityTable(const CheckIdentity& identity);
 
-/// Each station with its scatter, means and causes, then all of them pooled. Without rows: the columns.
+/// A row for each station: scatter, means and causes. For several stations, the last row pools all.
 Statement stationsTable(const InstrumentCheck& check);
 
-/// The station by round and by target; empty if a table would have more than 40 rows.
+/// The tables of the station by round and by target; none if one would have more than 40 rows.
 std::vector<Statement> stationDetails(const StationCheck& station);
 
 }  // namespace alidade

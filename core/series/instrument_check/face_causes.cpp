@@ -11,7 +11,7 @@ namespace alidade {
 
 namespace {
 
-/// Least squares of half differences of the faces: c, then the causes sought.
+/// Least squares of half differences of the faces. The unknowns are c and the causes sought.
 class FaceFit {
  public:
   FaceFit(const std::vector<HalfDifference>& differences, bool ofTilt, bool ofDistance)
@@ -22,13 +22,13 @@ class FaceFit {
     for (const HalfDifference& difference : differences) add(difference);
   }
 
-  /// False if the unknowns cannot be separated, or without a degree of freedom.
+  /// Returns false if the unknowns cannot be separated, or if there is no degree of freedom.
   bool solve() {
     m_degreesOfFreedom = static_cast<double>(m_count - m_right.size());
     if (!(m_degreesOfFreedom > 0)) return false;
     const Eigen::VectorXd lengths = m_normal.diagonal().cwiseSqrt();
     const Eigen::MatrixXd cosines = m_normal.cwiseQuotient(lengths * lengths.transpose());
-    constexpr double leastIndependent = 1e-10;  // of equal columns, rounding leaves 1e-16
+    constexpr double leastIndependent = 1e-10;  // for equal columns, rounding leaves 1e-16
     if (!(cosines.determinant() > leastIndependent)) return false;
     m_inverse = m_normal.inverse();
     m_solution = m_inverse * m_right;
@@ -141,7 +141,7 @@ class FaceSeparation {
     m_causes.collimation = fit.collimation();
   }
 
-  /// Fits each cause alone and, if both would be stated, keeps the one of the more usual size.
+  /// Fits each cause alone. If both would be stated, keeps the one smaller relative to its plausible size.
   void chooseEither() {
     FaceFit tilt(m_differences, true, false), sight(m_differences, false, true);
     const bool hasTilt = tilt.solve() && isStated(tilt.tilt(), plausibleTilt),

@@ -16,7 +16,7 @@ inline constexpr double roundingArcsec = 1e-6;
 inline constexpr double plausibleTilt = 30, plausibleOffset = 0.5;
 
 /// A mean of N values, or a result of a fit to them: u = scatter √cofactor, where the cofactor of a mean is
-/// 1/N. Members that too few values leave undetermined are NaN.
+/// 1/N. Members are NaN if the values are too few to determine them.
 struct PairMean {
   double value, u, scatter;
   double degreesOfFreedom;
@@ -27,18 +27,18 @@ struct PairMean {
 struct TwoCauses {
   double collimation, uCollimation;
   double other, uOther;
-  double correlation;       ///< of both
+  double correlation;       ///< of `collimation` and `other`
   double degreesOfFreedom;  ///< pairs − unknowns
-  double pValue;            ///< two-sided probability that chance exceeds `other`
-  /// Cofactors of c, of c with the other cause, and of the other: covariance = scatter² · cofactor.
+  double pValue;            ///< two-sided probability that chance exceeds |`other`|
+  /// Cofactors of c, of c and the other cause, and of the other cause: covariance = scatter² · cofactor.
   double cofactorCollimation = 1, cofactorBoth = 0, cofactorOther = 1;
 };
 
-/// Two-sided probability that chance yields a value as far from zero with this u (Student). NaN: unknown.
+/// Two-sided probability (Student) that chance yields a value at least this far from zero. NaN: unknown.
 double twoSidedStudent(double value, double u, double degreesOfFreedom);
 
-/// Half the difference of the faces at one target: h = c/cos e + i tan e + e_s/(D cos e), where e_s is the
-/// offset of the line of sight from the vertical axis.
+/// Half the difference of the faces at one target: h = c/cos e + i tan e + e_s/(D cos e), with collimation c,
+/// trunnion tilt i and offset e_s of the line of sight from the vertical axis.
 struct HalfDifference {
   double arcsec;     ///< h
   double elevation;  ///< e, rad
@@ -47,19 +47,19 @@ struct HalfDifference {
 
 /// The stated causes of the difference of the faces, from least squares of h.
 struct FaceCauses {
-  std::optional<PairMean> collimation;         ///< from the fit with a stated cause; absent without one
+  std::optional<PairMean> collimation;         ///< of the fit of the stated causes; absent if none is stated
   std::optional<TwoCauses> tilt, lineOfSight;  ///< absent: not stated
-  /// The plausible size of a cause that is not stated, divided by its standard uncertainty; NaN if the cause
+  /// The plausible size of the cause divided by its standard uncertainty; NaN if the cause was not sought or
   /// cannot be fitted.
   double tiltShows = std::numeric_limits<double>::quiet_NaN();
   double offsetShows = std::numeric_limits<double>::quiet_NaN();
-  /// These targets cannot separate tilt and offset; the one of the more usual size is stated.
+  /// Tilt and offset are inseparable here: the cause smaller relative to its plausible size is stated.
   bool isEither = false;
 };
 
-/// A cause is stated if it is significant at 95 %, or if a plausible size would show: it exceeds three
-/// standard uncertainties and would be significant at 95 %. `ofTilt`, `ofDistance`: elevations and distances
-/// differ enough to look for the cause.
+/// A cause is stated if its size is significant at 95 %. It is also stated if its plausible size exceeds
+/// three standard uncertainties and would be significant at 95 %. `ofTilt`, `ofDistance`: elevations and
+/// distances differ enough to look for the cause.
 FaceCauses separateFaceCauses(const std::vector<HalfDifference>& differences, bool ofTilt, bool ofDistance);
 
 }  // namespace alidade

@@ -8,7 +8,7 @@
 
 namespace alidade {
 
-/// Is s no larger than a stated σ? ISO 17123-3, question a): s ≤ σ √(χ²₀.₉₅(ν)/ν).
+/// Test of s against a stated σ. ISO 17123-3, question a): s ≤ σ √(χ²₀.₉₅(ν)/ν).
 struct SigmaTest {
   double sigma;
   double limit;   ///< of s, at 95 %
@@ -16,10 +16,10 @@ struct SigmaTest {
   bool isWithin() const { return pValue >= levelOfTests; }
 };
 
-/// Do two values of s belong to one instrument? Question b): F = s₁²/s₂², two-sided at 95 %. NaN if one has
-/// no degrees of freedom.
+/// Test whether two values of s differ. ISO 17123-3, question b): F = s₁²/s₂², two-sided at 95 %. A
+/// probability is NaN if one of the two values has no degrees of freedom.
 struct TwoSamples {
-  std::string first, second;  ///< stations; empty second: all others
+  std::string first, second;  ///< stations; `second` is empty for all others
   double directionP, verticalP;
 };
 
@@ -33,12 +33,12 @@ struct InstrumentCheck {
   std::vector<StationCheck> stations;
   CheckScatter direction, vertical;           ///< sums of Σ r² and ν over all stations
   PairMean collimation, index;                ///< of all stations (pooled_faces.h)
-  std::optional<TwoCauses> lineOfSight = {};  ///< with the same collimation; absent: not stated
+  std::optional<TwoCauses> lineOfSight = {};  ///< from the same fit as `collimation`; absent: not stated
   std::optional<PairMean> tilt = {};          ///< of the trunnion axis; absent: not stated
   double collimationsDifferP = 1,
          indicesDifferP = 1;  ///< probability that scatter alone causes such differences between stations
   std::optional<SigmaTest> directionTest, verticalTest;  ///< of the pooled s
-  std::vector<TwoSamples> samples;  ///< two stations, or each of several against all others
+  std::vector<TwoSamples> samples;  ///< of the two stations, or of each station against all others
 };
 
 InstrumentCheck checkInstrument(const std::vector<StationRounds>& stations, const CheckOptions& options = {});

@@ -13,8 +13,8 @@ namespace alidade {
 std::string instrumentJson(const CheckIdentity& identity, const InstrumentCheck& check,
                            const std::vector<Finding>& findings, const std::vector<std::string>& remarks);
 
-/// A row for each pair of readings: station, round, target, residuals of direction and vertical, and the
-/// course of each round, with instrument and day.
+/// A row for each face pair: station, round, target, residuals of direction and zenith angle, results of the
+/// round, instrument and day.
 std::string instrumentCsv(const CheckIdentity& identity, const InstrumentCheck& check);
 
 }  // namespace alidade

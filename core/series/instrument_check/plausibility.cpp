@@ -108,7 +108,7 @@ class StationPlausibility {
     return numbers;
   }
 
-  /// Directions of each round relative to the round's median.
+  /// Directions of each round relative to the first round, minus the median of the round.
   PairNumbers directions() const {
     PairNumbers numbers = numbersOf([](const FacePair& here, const FacePair& first) {
       return (here.direction - first.direction).arcseconds();
@@ -186,7 +186,7 @@ class StationPlausibility {
     return std::nullopt;
   }
 
-  /// The size of a cause minus three standard uncertainties, as similar targets determine a cause poorly.
+  /// The size of a cause minus three standard uncertainties, ≥ 0: similar targets determine a cause poorly.
   static double certainSize(const TwoCauses& causes) {
     constexpr double uncertainties = 3;
     return std::max(0.0, std::abs(causes.other) - uncertainties * causes.uOther);

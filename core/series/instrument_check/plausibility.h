@@ -8,21 +8,21 @@
 
 namespace alidade {
 
-/// Bounds that no theodolite exceeds. The coarsest in use, a builder's with a vernier of 1′, reads with a
-/// standard deviation of 17″ (1′/√12). So a mean of both faces and half their difference have 12″.
+/// Bounds that no theodolite exceeds. The coarsest in use, with a vernier of 1′, reads with a standard
+/// deviation of 17″ (1′/√12). The mean of both faces and half their difference then have 12″ (17″/√2).
 struct CheckBounds {
-  /// s of a direction and of a zenith angle, arcsec: five times that of the coarsest instrument.
+  /// s of a direction and of a zenith angle, arcsec: five times the 12″ of the coarsest theodolite.
   double scatter = 60;
   /// Departure of a direction, zenith angle, collimation or index of one target in one round from its median
-  /// over the rounds, arcsec: five times that of the coarsest instrument.
+  /// over the rounds, arcsec: five times the 12″ of the coarsest theodolite.
   double departure = 60;
   /// Collimation, index and tilt of the trunnion axis, arcsec: half a degree. Makers adjust to 30″, and
-  /// instruments that correct them refuse more than about 6′.
+  /// instruments that correct axis errors refuse errors above about 6′.
   double axisError = 1800;
   /// Offset of the line of sight from the vertical axis, mm. Mechanical tolerances are a few tenths at most.
   double lineOfSight = 5;
-  /// Share of the pairs whose faces differ by more than 2°: up to this share, such pairs count as misread; a
-  /// larger share means mismatched pairs.
+  /// Largest share of pairs whose faces differ by more than 2° and that count as misread. A larger share
+  /// means that the pairs are mismatched.
   double farApart = 0.25;
 };
 

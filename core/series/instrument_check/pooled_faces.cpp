@@ -13,7 +13,7 @@ namespace {
 
 constexpr double notKnown = std::numeric_limits<double>::quiet_NaN();
 
-/// One or two numbers of a station, with their cofactors and the variance that scales these.
+/// One or two numbers of a station, with their cofactors and the variance that scales the cofactors.
 struct StationNumbers {
   Eigen::VectorXd values;
   Eigen::MatrixXd cofactors;

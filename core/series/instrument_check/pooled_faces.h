@@ -7,8 +7,8 @@
 
 namespace alidade {
 
-/// A number from all stations. The cofactor of each station's fit sets its weight, the variance is pooled
-/// within stations, and u grows by √F if stations differ by more than their scatter.
+/// A number pooled from all stations. The cofactor of each station's fit sets its weight, the variance is
+/// pooled within stations, and u is multiplied by √F if stations differ by more than their scatter.
 struct Pooled {
   PairMean mean;
   double differP;  ///< probability that scatter alone causes such differences between stations; NaN: unknown
@@ -22,11 +22,11 @@ struct PooledSight {
 
 Pooled pooledIndex(const std::vector<StationCheck>& stations);
 
-/// Pools only the stations that state an offset of the line of sight, if any do: the collimation of the
-/// others includes e_s/D of their targets.
+/// If stations state an offset of the line of sight, pools only these stations: the collimation of the others
+/// includes e_s/D of their targets.
 PooledSight pooledSight(const std::vector<StationCheck>& stations);
 
-/// The mean weighted by 1/u²; u grows if stations differ by more than their u. Absent if none states a tilt.
+/// The mean weighted by 1/u²; u grows if stations differ by more than their u. Absent without a stated tilt.
 std::optional<PairMean> pooledTilt(const std::vector<StationCheck>& stations);
 
 }  // namespace alidade

@@ -19,8 +19,8 @@ struct RoundDifference {
 /// The number of targets in both rounds.
 std::size_t commonTargets(const ObservedRound& first, const ObservedRound& second);
 
-/// The target that differs most, if it differs by more than `most`. The circle may have been reset between
-/// the rounds: directions are compared relative to each other.
+/// The target whose place differs most between the rounds, if it differs by more than `most`. Directions are
+/// compared relative to their median, since the circle may have been reset.
 std::optional<RoundDifference> differenceOf(const ObservedRound& first, const ObservedRound& second,
                                             Angle most);
 

@@ -23,7 +23,7 @@ struct Numbered {
   std::vector<std::string> names;  ///< of the rounds
 };
 
-/// Numbers the rounds stated in the file. A round that recurs with the same targets counts as a further one.
+/// Numbers the rounds stated in the file. A round that recurs with the same targets counts as another round.
 void takeStated(Numbered& numbered) {
   struct Seen {
     std::size_t pass = 0, run = 0;
@@ -47,7 +47,7 @@ void takeStated(Numbered& numbered) {
   }
 }
 
-/// Was every target sighted equally often in each face?
+/// True if every target was sighted equally often in each face.
 bool isBalanced(const Numbered& numbered) {
   std::map<TargetFace, std::size_t> counts;
   std::set<std::size_t> targets;
@@ -99,8 +99,8 @@ class RoundBounds {
     return 2 * m_both > targets;
   }
 
-  /// Does this further sighting of the first target, in the second face, close the horizon? It does if no
-  /// sighting follows, or if the next one begins a round at the same target in the first face.
+  /// True if this repeated sighting of the first target, in the other face, closes the horizon: no sighting
+  /// follows, or the next sighting begins a round at the same target in the first face.
   bool closesHorizon(std::size_t i) const {
     const auto [target, face] = key(i);
     const auto [firstTarget, firstFace] = key(m_start);
@@ -171,7 +171,7 @@ FacePair pairOf(const FaceMean& one, const FaceMean& two, std::size_t target, Ve
 }
 
 bool areFarApart(const FacePair& pair) {
-  constexpr double most = 1;  // degree, of half the difference of the faces; axis errors stay below
+  constexpr double most = 1;  // degree, of half the difference of the faces; axis errors are smaller
   return std::abs(pair.halfDirection.degrees()) > most || std::abs(pair.halfVertical.degrees()) > most;
 }
 
@@ -251,7 +251,7 @@ class Completion {
   std::set<std::size_t> m_targets;  ///< the targets kept
 };
 
-/// Groups the sightings of one station, target by target in each round.
+/// Groups the sightings of one station by round and target.
 class StationSorting {
  public:
   StationSorting(const CheckReadings& readings, std::size_t station, Numbered numbered)
@@ -305,8 +305,7 @@ class StationSorting {
 
   const CheckReadings& m_readings;
   Numbered m_numbered;
-  std::map<std::size_t, std::size_t> m_targets;  ///< from indices among all stations' targets to this
-                                                 ///< station's, in order of occurrence
+  std::map<std::size_t, std::size_t> m_targets;  ///< index at the station by index among all targets
   std::map<std::pair<std::size_t, std::size_t>, std::pair<FaceMean, FaceMean>>
       m_means;  ///< by round and target
   StationRounds m_result;

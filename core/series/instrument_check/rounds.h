@@ -9,16 +9,16 @@
 
 namespace alidade {
 
-/// One target sighted in both faces within one round. With h half the difference of the faces, face 1 reads
-/// `direction` + h and face 2, converted to its face 1 equivalent, `direction` − h; likewise the vertical
+/// One target sighted in both faces within one round. Let h be half the difference of the faces. Face 1 reads
+/// `direction` + h; face 2, converted to face 1, reads `direction` − h. The same holds for the vertical
 /// circle.
 struct FacePair {
   std::size_t target = 0;    ///< index among the station's targets
   Angle direction = {};      ///< mean of both faces, in face 1; wrapped into [0°, 360°)
-  Angle halfDirection = {};  ///< h of the horizontal circle (`HalfDifference`); 0 if it was not read
+  Angle halfDirection = {};  ///< h of the horizontal circle (`HalfDifference`); 0 without this circle
   Angle vertical = {};       ///< mean of both faces, in face 1
-  Angle halfVertical = {};   ///< h of the vertical circle: the index j; 0 if it was not read
-  Angle elevation = {};      ///< e; 0 if it was not read
+  Angle halfVertical = {};   ///< h of the vertical circle: the index j; 0 without this circle
+  Angle elevation = {};      ///< e; 0 without the vertical circle
   double distanceM = 0;      ///< along the line of sight; 0: unknown
   /// Lines of the first sighting in each face, from 1; 0: none.
   std::size_t lineOfFaceOne = 0, lineOfFaceTwo = 0;
@@ -33,11 +33,11 @@ struct ObservedRound {
 
 /// Reasons why readings are excluded.
 enum class LeftOut {
-  IncompleteRound,  ///< the round lacks a target that the others have, or one of its faces
+  IncompleteRound,  ///< the round lacks a target, or one face of a target, that other rounds have
   RareTarget,       ///< the target is missing in too many rounds
   OneFace,          ///< the round has sightings of the target in one face only
   FarApart,         ///< |h| > 1°, so the faces differ by more than 2°: two targets of one name, or misread
-  Repeated,         ///< averaged, not left out: sighted several times in one face of a round
+  Repeated,         ///< not left out: sighted several times in one face of a round, and averaged
 };
 
 struct LeftOutReadings {
@@ -61,12 +61,12 @@ struct StationRounds {
 std::string linesOf(const FacePair& pair);
 
 /// Sorts the readings of each station into rounds and keeps the complete ones. Rounds stated in the file are
-/// used; a round that recurs with the same targets is a further one. Otherwise, if every target was sighted
-/// equally often in each face, the n-th sighting of a target belongs to round n. Else a round ends when a
-/// target recurs in a face after most targets were sighted in both faces. A target that recurs earlier, as in
-/// closing the horizon, is averaged. Rounds or targets are then dropped until every round has every target;
-/// those with the largest share of missing pairs are dropped first. Rounds that show the same targets
-/// elsewhere form a separate station (`partedByGeometry`).
+/// used; a round that recurs with the same targets counts as another round. Otherwise, if every target was
+/// sighted equally often in each face, the n-th sighting of a target in a face belongs to round n. Else a
+/// round ends when a target recurs in a face after most targets were sighted in both faces. A target that
+/// recurs earlier, as in closing the horizon, is averaged. Rounds or targets are then dropped until every
+/// round has every target; those with the largest share of missing pairs are dropped first. Rounds that show
+/// the same targets at other places form a separate station (`partedByGeometry`).
 std::vector<StationRounds> completeRounds(const CheckReadings& readings);
 
 }  // namespace alidade

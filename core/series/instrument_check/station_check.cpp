@@ -126,7 +126,7 @@ class StationEvaluation {
   }
 
   void evaluateDirections() {
-    // Directions relative to the first round and, as in the standard, the first target are small at any
+    // Directions relative to the first round and to the first target (as in the standard) are small at any
     // setting of the circle.
     std::vector<double> rows;
     std::vector<double> turns;

@@ -64,14 +64,14 @@ struct StationCheck {
   CheckCircles circles = CheckCircles::Both;
   std::size_t targets = 0, rounds = 0;
   CheckScatter direction, vertical;  ///< without degrees of freedom if the circle was not read
-  PairMean collimation = {};         ///< the value that all results state
+  PairMean collimation = {};         ///< from the fit of the stated causes, else the mean
   PairMean index = {};
   FaceCauses causes = {};
   double nearestM = 0, farthestM = 0;    ///< 0: not known for all targets
   double lowestDeg = 0, highestDeg = 0;  ///< elevations
   bool isCircleReset = false;            ///< the circle turned by more than 180″ between rounds
   std::optional<RoundTrend> collimationSlope, indexSlope, orientationSlope;
-  double targetsDifferP = 1;  ///< probability that scatter alone makes c of targets differ so; NaN: unknown
+  double targetsDifferP = 1;  ///< p-value of the test that c is the same for all targets; NaN: unknown
   std::vector<RoundCourse> course;
   std::vector<TargetMean> perTarget;
   std::vector<PairResidual> residuals;

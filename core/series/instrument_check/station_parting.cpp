@@ -29,7 +29,7 @@ class StationParting {
   }
 
  private:
-  /// False if there is one group, or if the groups are unclear.
+  /// Returns false if the rounds stay together: there is one group, or the groups are unclear.
   bool findGroups() {
     constexpr std::size_t mostGroups = 1000;
     for (std::size_t round = 0; round < m_station.rounds.size(); ++round) {
@@ -46,7 +46,7 @@ class StationParting {
   }
 
   /// The last group that agrees with the round; the last of all groups if none has a target of the round.
-  /// Absent if groups have its targets but none agrees.
+  /// Absent if groups have targets of the round but none agrees.
   std::optional<std::size_t> groupOf(std::size_t round) {
     bool isCompared = false;
     for (std::size_t group = m_groups.size(); group-- > 0;)

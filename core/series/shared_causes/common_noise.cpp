@@ -15,10 +15,10 @@ namespace {
 
 using noise_policy::knownTo;
 
-/// Remaining residuals of an instrument's sessions, one entry for each.
+/// The χ² and degrees of freedom that remain in the sessions of an instrument, one entry for each session.
 struct Left {
   std::vector<std::size_t> sessions;
-  std::vector<bool> isNoisy;  ///< its own explanation already includes larger noise
+  std::vector<bool> isNoisy;  ///< the session's explanation already includes larger noise
   std::vector<double> chiSquares, f;
 
   double sumOfF() const { return std::accumulate(f.begin(), f.end(), 0.0); }
@@ -72,7 +72,7 @@ Range weighed(const Left& left, double from, double to, const Prior& prior) {
   return range;
 }
 
-/// Noise as stated within a tenth, or larger, in all sessions except those that scatter independently.
+/// Decides between noise as stated (within a tenth) and larger noise; noisy sessions become own entries.
 std::vector<CommonNoise> noiseOf(const std::string& instrument, const Left& left) {
   constexpr double certain = 0.9;
   if (left.sumOfF() < 1) return {{.instrument = instrument, .sessions = left.sessions}};

@@ -20,7 +20,7 @@ namespace alidade {
 
 namespace {
 
-/// The order of measurement if all sessions have a date; else the order given.
+/// `usable` in the order of measurement if all these sessions have a date; else in the order given.
 std::vector<std::size_t> inOrder(const std::vector<SeriesSession>& sessions,
                                  const std::vector<std::size_t>& usable) {
   std::vector<std::size_t> order = usable;
@@ -77,7 +77,7 @@ std::shared_ptr<const SharedColumns> columnsFor(const std::vector<SeriesSession>
   return std::make_shared<const SharedColumns>(own);
 }
 
-/// Drops from `options.without` the own effects that only other sessions have, which are unknown here.
+/// Drops from `options.without` the user's own effects that other sessions have but this session has not.
 DiagnosisOptions optionsFor(DiagnosisOptions options, const SeriesSession& session,
                             const std::vector<SeriesSession>& sessions) {
   std::erase_if(options.without, [&](const std::string& id) {

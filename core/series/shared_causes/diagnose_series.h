@@ -14,10 +14,10 @@
 
 namespace alidade {
 
-// The situation: sessions of the same instruments and guideways, each too short to show an effect that all
-// share. An effect of an instrument has one size in all sessions with its serial, likewise one of a guideway.
-// An effect of time is not shared. The evidence of all sessions on that size adds up. Each session may also
-// have causes of its own, such as misread values or a jump, which do not distort the sum.
+// Diagnoses sessions of the same instruments and guideways together: each may be too short to show an effect
+// that all share. An effect of an instrument has one size in all sessions with its serial number, an effect
+// of a guideway likewise. An effect of time is not shared. The evidence of all sessions on a shared size adds
+// up. A session may have causes of its own, such as misread values or a jump; they do not distort the sum.
 
 /// A session as input.
 struct SeriesSession {
@@ -42,7 +42,7 @@ struct SeriesOutcome {
   SeriesDiagnosis diagnosis;
   /// Indices of the sessions that could not be diagnosed, with the reasons.
   std::vector<std::pair<std::size_t, DiagnosisFault>> unusable = {};
-  /// Pairs of indices: a session, and the earlier one with the same readings, which alone counts.
+  /// Pairs of indices: a session that is not used, and the earlier session with the same readings.
   std::vector<std::pair<std::size_t, std::size_t>> copies = {};
 };
 

@@ -51,7 +51,7 @@ Sessions everySession(std::size_t count) {
   return all;
 }
 
-/// A row for each of `sessions`, 1 in the column of its group.
+/// A row for each of `sessions`, with 1 in the column of its group and 0 in the others.
 MatrixXd membership(const Sessions& sessions, const Groups& groups) {
   MatrixXd features = MatrixXd::Zero(std::ssize(sessions), std::ssize(groups));
   for (std::size_t g = 0; g < groups.size(); ++g)
@@ -95,7 +95,7 @@ void addEffectBlocks(std::vector<EffectBlock>& blocks, const EffectColumns& colu
 
 void addPatternBlocks(std::vector<EffectBlock>& blocks, const SharedColumns& columns,
                       const std::vector<SessionOwners>& owners) {
-  constexpr double odds = 0.04;  // of any pattern, as in one session
+  constexpr double odds = 0.04;  // of all patterns together, as in one session
   constexpr std::size_t fewest = 3;
   const std::size_t before = blocks.size();
   const Sessions every = everySession(owners.size());

@@ -12,18 +12,18 @@ namespace alidade {
 
 /// The owners of a session.
 struct SessionOwners {
-  std::string instrument, guideway;  ///< serials; empty: an owner of its own
+  std::string instrument, guideway;  ///< serial numbers; without one, the session has its own owner
   double time = 0;                   ///< 0…1 from the first session to the last
   const OwnEffects* own = nullptr;   ///< the user's own effects; null: none
 };
 
 /// The relation between the sizes of an effect in several sessions: in session s the size is Σⱼ Fₛⱼ zⱼ, where
-/// z is normal around zero with one width for all.
+/// all zⱼ are normal around zero with the same standard deviation.
 enum class SizesKind {
   One,         ///< F = 1
-  PerOwner,    ///< each instrument, or each guideway, has its own
-  PerSession,  ///< each session has its own
-  Drifting,    ///< one size plus a random walk, as its first four sines (Karhunen and Loève)
+  PerOwner,    ///< a size for each instrument, or for each guideway
+  PerSession,  ///< a size for each session
+  Drifting,    ///< one size plus a random walk of four sines (Karhunen–Loève)
 };
 
 /// An effect, or an uncatalogued pattern, in the sessions of an owner.
@@ -49,8 +49,8 @@ struct EffectBlock {
 };
 
 /// Every effect with every possible owner; if owners or sessions are few, also with a size for each of them.
-/// Then every pattern of time and of owners with at least three sessions. An effect of the user's own is only
-/// in sessions that have it. The columns must outlive the blocks.
+/// Then every pattern, for time and for each owner with at least three sessions. An effect of the user's own
+/// is only in sessions that have it. The columns must outlive the blocks.
 std::vector<EffectBlock> effectBlocks(const SharedColumns& columns, const std::vector<SessionOwners>& owners,
                                       const std::vector<std::string>& leftOut);
 

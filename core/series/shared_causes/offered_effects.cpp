@@ -29,7 +29,7 @@ double sharpness(const FormInSession& found) {
   return amplitude.sigma > 0 ? std::abs(amplitude.value) / amplitude.sigma : 0;
 }
 
-/// `first` and the forms that agree with it, at most one from each other session of its owner.
+/// `first` and the forms that agree with `first`, at most one from each other session of the same owner.
 std::vector<FormInSession> groupOf(const FormInSession& first, const std::vector<FormInSession>& all,
                                    const std::vector<SeriesMember>& members) {
   const Form& form = first.form->form;

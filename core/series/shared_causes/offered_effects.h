@@ -4,8 +4,8 @@
 
 namespace alidade {
 
-/// Offers each form that at least three sessions of one owner found, as an effect of the user's own. The
-/// owner is the instrument if the form acts on circles, else the guideway.
+/// Offers each form that was found in at least three sessions of one owner, as an effect of the user's own.
+/// The owner is the instrument if the form acts on circles, else the guideway.
 void addOfferedEffects(SeriesDiagnosis& diagnosis);
 
 }  // namespace alidade

@@ -15,7 +15,7 @@ struct SearchedSeries {
   const std::vector<SessionEvidence>& evidence;
   const std::vector<SessionOwners>& owners;
   const std::vector<std::string>& names;    ///< of the sessions
-  const std::vector<std::string>& leftOut;  ///< ids of effects
+  const std::vector<std::string>& leftOut;  ///< ids of effects that are not considered
   const std::stop_token& stop;
   const std::vector<SessionSums>& sums;
   const std::vector<EffectBlock>& blocks;
@@ -36,8 +36,7 @@ void addWhere(SeriesDiagnosis& diagnosis, const SearchedSeries& series);
 /// all sessions together.
 void addUndetectable(SeriesDiagnosis& diagnosis, const SearchedSeries& series);
 
-/// Adds advice on the next session: one that separates look-alikes of different owners, or clarifies a faint
-/// cause.
+/// Adds advice on further sessions: they separate look-alikes of different owners, or clarify a faint cause.
 void addAdvice(SeriesDiagnosis& diagnosis, const SearchedSeries& series);
 
 }  // namespace alidade

@@ -22,7 +22,7 @@ using Eigen::Index, Eigen::MatrixXd, Eigen::VectorXd;
 
 namespace {
 
-constexpr double namedFrom = 0.8;  // probability; a false alarm of a series concerns many sessions
+constexpr double namedFrom = 0.8;  // probability; high, as a false alarm of a series concerns many sessions
 
 std::vector<EffectBlock> blocksOf(const SharedSet& set) {
   std::vector<EffectBlock> blocks;
@@ -62,7 +62,7 @@ std::vector<CauseParameter> parametersOf(const EffectColumns& columns, const Vec
   return parameters;
 }
 
-/// Covariance of a part's weights in its index-th session, propagated from that of z.
+/// Covariance of the weights of part `p` in the session with this index, propagated from that of z.
 MatrixXd covarianceIn(const SharedSet& set, std::size_t p, std::size_t index) {
   const SharedPart& part = set.parts[p];
   Index first = 0;
@@ -168,8 +168,8 @@ class Conclusion {
     return std::min(sum, 1.0);
   }
 
-  /// Chooses the likeliest set, or a smaller subset that is nearly as good; the empty set unless one is
-  /// likely enough. An uncatalogued pattern is included if it is likelier than all catalogued effects.
+  /// Chooses the likeliest set, or a smaller subset that is nearly as good. Chooses the empty set if no set
+  /// is likely enough. An uncatalogued pattern is included if it is likelier than all catalogued effects.
   void choose() {
     const auto nothing = std::ranges::find_if(m_sets, [](const SharedSet& set) { return set.parts.empty(); });
     const double unknown = chanceOfPattern();
@@ -249,7 +249,7 @@ class Conclusion {
     return same == m_blocks.end() ? block : *same;
   }
 
-  /// Excludes sessions whose own size clearly contradicts that of the others, the worst first.
+  /// Excludes sessions whose own size clearly contradicts the size of the others, the worst first.
   void setApart(std::size_t p) {
     constexpr double outOfQuestion = 1e-4;
     constexpr std::size_t fewest = 3;
@@ -274,7 +274,7 @@ class Conclusion {
     }
   }
 
-  /// Probability that chance separates a session's own size this far from that of the others.
+  /// Probability that chance separates a session's own size at least this far from the size in the others.
   double agreement(std::size_t p, std::size_t index) const {
     const EffectBlock& block = m_best.parts[p].block;
     const std::size_t session = block.sessions[index];
@@ -291,7 +291,7 @@ class Conclusion {
       right -= m_sums[session].normal(m_best.explanations[session], block.columns(), other.columns()) *
                others.parts[q].weightsIn(static_cast<std::size_t>(found - other.sessions.begin()));
     }
-    // N⁻¹ right is the difference of the sizes; its covariance is N⁻¹ plus that of the others' size.
+    // With N = `normal`, N⁻¹ right is the difference of the sizes; the covariances of both sizes add up.
     const MatrixXd spread = normal + normal * covarianceIn(others, p, index) * normal;
     const double square = right.dot(spread.completeOrthogonalDecomposition().solve(right));
     return chiSquareUpperTail(square, static_cast<double>(right.size())).value_or(1);
@@ -331,8 +331,8 @@ class Conclusion {
     return rivals;
   }
 
-  /// The most frequent pattern, if at least two and more than half of the sessions each have an uncatalogued
-  /// pattern of their own.
+  /// The most frequent pattern, if more than half of the sessions, and at least two, each have an
+  /// uncatalogued pattern of their own.
   std::optional<SharedPattern> patternOfMost() const {
     SharedPattern pattern{.follows = {}, .probability = 1, .isOfEach = true};
     std::map<std::string, std::size_t> counts;
@@ -357,7 +357,7 @@ class Conclusion {
     return pattern;
   }
 
-  /// Returns the argument of the pattern among an explanation's causes; empty without a pattern.
+  /// Returns the id of the pattern among the causes of an explanation; empty without a pattern.
   static std::string shapeIn(const SessionExplanation& explanation) {
     for (const std::string& id : explanation.causes)
       if (!isCause(id)) return id;
@@ -526,7 +526,7 @@ class Conclusion {
     return std::max(squares, 0.0);
   }
 
-  /// For each fold, the set fitted without its sessions; each of up to 20 sessions is a fold.
+  /// For each fold, the set fitted without the sessions of the fold. There are at most 20 folds.
   std::vector<SharedSet> foldsOf() const {
     std::vector<SharedSet> folds;
     for (std::size_t fold = 0; fold < foldCount(); ++fold)

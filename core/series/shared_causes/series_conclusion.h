@@ -13,9 +13,9 @@ namespace alidade {
 /// The combined result of a series, before each session is diagnosed again.
 struct SeriesConclusion {
   SeriesDiagnosis diagnosis;  ///< `sessions` is empty
-  /// For each session: the sizes of the effects that it shares, from other sessions.
+  /// For each session, the sizes of its shared effects as determined by other sessions.
   std::vector<std::vector<KnownNumber>> known;
-  std::vector<std::vector<std::string>> own;  ///< ids of the causes of each session alone
+  std::vector<std::vector<std::string>> own;  ///< for each session, the ids of its own causes
   std::vector<double> ownChance;
 };
 

@@ -32,21 +32,21 @@ struct SizeInSession {
 struct SharedRival {
   std::string effect;
   CauseOwner owner = CauseOwner::Time;
-  std::string serial = {};  ///< empty: of each owner separately, or of none
-  double odds = 0;          ///< against the cause
+  std::string serial = {};  ///< of the owner; empty: each owner separately, or no owner
+  double odds = 0;          ///< of this alternative against the cause
 };
 
 struct SharedCause {
   Cause cause;  ///< with its size; if sizes differ, with the size in the last session
   CauseOwner owner = CauseOwner::Time;
   std::string serial = {};                 ///< of the owner; empty if it has none, or for effects of time
-  std::vector<std::size_t> sessions = {};  ///< indices of the sessions in which it acts
+  std::vector<std::size_t> sessions = {};  ///< indices of the sessions in which the cause acts
   bool isDrifting = false;                 ///< its size changes from session to session
   std::vector<SizeInSession> sizes = {};   ///< if the size differs between sessions
   std::vector<std::size_t> apart = {};     ///< sessions of its owner that do not share the cause
   std::vector<SharedRival> rivals = {};    ///< the likeliest first
   double visibleInOne = 0;                 ///< root mean square of its trace in a session, σ
-  double visibleTogether = 0;              ///< its trace in all of them, σ
+  double visibleTogether = 0;              ///< its trace in all these sessions together, σ
 };
 
 /// Advice on the next session to measure.
@@ -57,8 +57,8 @@ struct SeriesAdvice {
     Again,            ///< the same owner again: the cause is still too faint
   };
   What what = What::Again;
-  std::string instrument = {}, guideway = {};  ///< serials; empty: any, or any not used so far
-  std::vector<std::string> separates = {};     ///< ids
+  std::string instrument = {}, guideway = {};  ///< serial numbers; empty: any, or one not used so far
+  std::vector<std::string> separates = {};     ///< ids of effects
   double bySigma = 0;                          ///< difference after `sessions` are measured, σ
   int sessions = 1;
 };
@@ -74,10 +74,10 @@ struct SeriesMember {
   std::vector<Cause> own = {};  ///< causes of this session alone, given the series
   /// The diagnosis given the series: the other sessions' results on shared effects are its prior knowledge.
   Diagnosis diagnosis = {};
-  std::vector<KnownNumber> shared = {};  ///< that prior knowledge
+  std::vector<KnownNumber> shared = {};  ///< sizes of shared effects from the other sessions
 };
 
-/// A file with the same readings as an earlier one, which counts for both.
+/// A file with the same readings as an earlier file. Only the earlier file is used.
 struct SeriesCopy {
   std::string file, first;
 };
@@ -86,21 +86,21 @@ struct SeriesCopy {
 struct SharedPattern {
   std::string follows;  ///< "radius along the guideway", …
   int order = 0;        ///< periods per turn; 0: not a harmonic
-  /// The share of all sessions' gap that it explains, 0…1; NaN if each session has a pattern of its own.
+  /// The share of the gap of all sessions that it explains, 0…1; NaN if each session has its own pattern.
   double share = std::numeric_limits<double>::quiet_NaN();
   CauseOwner owner = CauseOwner::Time;
   std::string serial = {};                 ///< of the owner
-  std::vector<std::size_t> sessions = {};  ///< in which it acts
+  std::vector<std::size_t> sessions = {};  ///< indices of the sessions in which the pattern acts
   double probability = 0;                  ///< that the shared pattern is uncatalogued, 0…1
-  bool isOfEach = false;                   ///< each of these sessions has one of its own, and they differ
+  bool isOfEach = false;                   ///< each session has a different pattern of its own
   double visibleInOne = 0;                 ///< root mean square of its trace in a session, σ
-  double visibleTogether = 0;              ///< its trace in all of them, σ
+  double visibleTogether = 0;              ///< its trace in all these sessions together, σ
 };
 
-/// A form that at least three sessions of its owner found, as an effect of the user's own.
+/// A form found in at least three sessions of its owner, as an effect of the user's own.
 struct OfferedEffect {
   FoundForm form;    ///< the mean of the sessions (`meanOf`)
-  OwnEffect effect;  ///< of the guideway, or of the instrument if it acts on circles
+  OwnEffect effect;  ///< of the instrument if the form acts on circles, else of the guideway
   std::vector<std::size_t> sessions;
 };
 
@@ -115,10 +115,10 @@ struct SeriesDiagnosis {
   std::vector<GapShare> where;        ///< by frame, session, instrument and guideway
   std::vector<UndetectableEffect> undetectable;
   std::vector<SeriesAdvice> advice;
-  std::vector<OfferedEffect> offered;                      ///< in most sessions first
+  std::vector<OfferedEffect> offered;                      ///< the form found in most sessions first
   std::vector<SeriesMember> sessions;                      ///< in order of measurement
   std::size_t withoutInstrument = 0, withoutGuideway = 0;  ///< sessions without a serial
-  std::vector<SeriesCopy> copies;                          ///< left out, in the order given
+  std::vector<SeriesCopy> copies;                          ///< files that are not used, in the order given
 };
 
 }  // namespace alidade

@@ -44,8 +44,8 @@ double SessionSums::logOdds(std::size_t explanation) const {
   const SessionExplanation& own = m_evidence->explanations[explanation];
   if (m_noise == 1) return own.logOdds;
   if (own.noisy && own.noise <= m_noise) return own.logOdds - 1e3;  // `m_noise` includes its larger noise
-  // The explanation's reduction of χ² counts at `m_noise`. An explanation of larger noise counts without the
-  // part of its gain that `m_noise` already has.
+  // The reduction of χ² by the explanation is scaled to `m_noise`. An explanation of larger noise loses the
+  // part of its gain that `m_noise` already provides.
   const double gained = (m_evidence->chiSquare - own.chiSquare) / 2;
   if (!own.noisy) return own.logOdds - gained + gained / variance(explanation);
   return own.logOdds - m_evidence->chiSquare / 2 * (1 - 1 / (m_noise * m_noise)) +

@@ -8,13 +8,13 @@
 
 namespace alidade {
 
-/// The most columns of two effects together. The matrices are numerous: a fixed limit avoids the heap.
+/// The largest number of columns of one effect. The matrices are numerous: a fixed limit avoids the heap.
 inline constexpr int mostColumns = 12;
 using EffectMatrix = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, 0, mostColumns, mostColumns>;
 using EffectVector = Eigen::Matrix<double, Eigen::Dynamic, 1, 0, mostColumns, 1>;
 
 /// The normal equations of one session under one of its own explanations, divided by the variance of its
-/// noise. Computed for one effect or two at a time: the equations of all effects together are too large.
+/// noise. They are computed for one or two effects at a time: for all effects together they are too large.
 class SessionSums {
  public:
   explicit SessionSums(const SessionEvidence& evidence) : m_evidence(&evidence) {}

@@ -24,7 +24,7 @@ std::span<const double> spanOf(const VectorXd& vector) {
   return {vector.data(), static_cast<std::size_t>(vector.size())};
 }
 
-/// For each session of both blocks, calls `visit` with its index in `a` and in `b`.
+/// For each session that both blocks contain, calls `visit` with its index in `a` and in `b`.
 template <typename Visit>
 void forCommon(const EffectBlock& a, const EffectBlock& b, const Visit& visit) {
   std::size_t i = 0, j = 0;
@@ -49,7 +49,7 @@ double logSumOf(const std::vector<double>& logs) {
   return most + std::log(sum);
 }
 
-/// Probabilities from the logarithms of odds, scaled by the largest, so that logarithms may have any size.
+/// Probabilities from the logarithms of odds. The odds are scaled by the largest to avoid overflow.
 std::vector<double> chancesByLog(std::vector<double> logs) {
   const double most = *std::ranges::max_element(logs);
   double sum = 0;
@@ -76,7 +76,7 @@ EffectVector SharedPart::weightsIn(std::size_t index) const {
   return own;
 }
 
-/// A block relative to a set: what the set leaves of its normal equations, and its products with the set's z.
+/// The normal equations of a block after eliminating a set, and the products of the block with the set's z.
 struct SharedSearch::GivenSet {
   MatrixXd products, gram;
   VectorXd right;
@@ -194,7 +194,7 @@ double SharedSearch::oddsOfExplanations(const SharedSet& set) const {
   double sum = 0;
   for (std::size_t s = 0; s < m_sessions.size(); ++s) {
     const std::vector<double> odds = explanationOdds(s, set);
-    // The sizes were found with the chosen explanation; the alternatives to it are added.
+    // The sizes were fitted with the chosen explanation; the sum includes the alternatives.
     const std::size_t chosen = set.explanations[s];
     sum += ownOdds(s, chosen) + logSumOf(odds) - odds[chosen];
   }
@@ -262,7 +262,7 @@ SharedSet SharedSearch::madeOf(const std::vector<EffectBlock>& blocks,
     SharedSet set = fitted(blocks, own);
     set.logPosteriorOdds += oddsOfExplanations(set);
     std::vector<std::size_t> next = likeliestExplanations(set, true);
-    // Of equal sets the later one counts: it was fitted with the explanations that the earlier one prefers.
+    // If two sets are equal, the later one counts: its explanations are those that the earlier one prefers.
     if (round == 0 || set.logPosteriorOdds > best.logPosteriorOdds - rounding) best = std::move(set);
     if (next == own || m_stop.stop_requested()) break;
     own = std::move(next);

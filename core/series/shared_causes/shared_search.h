@@ -23,12 +23,12 @@ namespace alidade {
 struct SharedPart {
   EffectBlock block;
   double width = 1, logGain = 0;
-  // The block's columns (those of the effect for each feature) have the weights fixed + slope z.
+  // The weights of the block's columns (those of the effect for each feature) are fixed + slope z.
   Eigen::VectorXd fixed = {};
   Eigen::MatrixXd slope = {};
   Eigen::VectorXd weights = {};  ///< fixed + slope z for the estimated z
 
-  /// Weights in the index-th of its sessions.
+  /// Weights in the session `block.sessions[index]`.
   EffectVector weightsIn(std::size_t index) const;
 };
 
@@ -36,10 +36,10 @@ struct SharedSet {
   std::vector<SharedPart> parts = {};
   std::vector<std::size_t> explanations = {};  ///< of each session
   double logPosteriorOdds = 0;                 ///< natural log of the odds against no effect in any session
-  double chance = 0;                           ///< 0…1, among the sets found
+  double chance = 0;                           ///< posterior probability among the sets found, 0…1
   Eigen::MatrixXd covariance = {};             ///< of z of all parts, concatenated
 
-  /// Does the set contain an uncatalogued pattern?
+  /// True if the set contains an uncatalogued pattern.
   bool isShaped() const {
     return std::ranges::any_of(parts, [](const SharedPart& part) { return part.block.isPattern(); });
   }
@@ -58,7 +58,7 @@ class SharedSearch {
   /// `explanations`.
   SharedSet madeOf(const std::vector<EffectBlock>& blocks,
                    const std::vector<std::size_t>& explanations) const;
-  /// Sizes under exactly these explanations. `counts`: which sessions count; empty: all.
+  /// The set of these blocks under exactly these explanations. `counts`: which sessions count; empty: all.
   SharedSet fitted(const std::vector<EffectBlock>& blocks, const std::vector<std::size_t>& explanations,
                    const std::function<bool(std::size_t)>& counts = {}) const;
   /// Log odds of each explanation of a session, given a set.
@@ -66,7 +66,7 @@ class SharedSearch {
   std::vector<double> explanationChances(std::size_t session, const SharedSet& set) const;
   /// The gain of a block alone, without explanations.
   ColumnGain alone(const EffectBlock& block) const;
-  /// Visible length of a part's weights, σ, in all its sessions, or in the index-th.
+  /// Visible length of a part's weights, σ: in all its sessions, or in `part.block.sessions[index]`.
   double visibleLength(const SharedPart& part) const;
   double visibleLengthIn(const SharedPart& part, std::size_t index) const;
   /// The smallest difference between the part's trace and any trace of the block, σ.

@@ -98,7 +98,7 @@ TEST_F(AtomicFile, FollowsLinksAndLeavesThem) {
   EXPECT_THAT(writeFile(path("round"), "x", {})->what, HasSubstr("form a loop"));
 }
 
-// Each step that may fail is tested in turn, as on a full or failing disk.
+// Each step that may fail does so in turn, as on a full or failing disk.
 TEST_F(AtomicFile, LeavesTheOldFileWhereAStepFails) {
   FileCalls calls;
   calls.open = failing(EACCES, calls.open);
@@ -306,7 +306,7 @@ TEST_F(AtomicFile, WritesToDevicesAndPipesDirectly) {
   EXPECT_TRUE(fs::is_fifo(path("pipe")));
 }
 
-// Reopening it by its name would overwrite the program's earlier output.
+// Reopening the file by its name would overwrite the earlier output of the program.
 TEST_F(AtomicFile, WritesOnToAnOpenFileOfTheProgram) {
   const int file = open(path("log").c_str(), O_WRONLY | O_CREAT, 0600);
   ASSERT_EQ(write(file, "one ", 4), 4);

@@ -21,9 +21,9 @@ std::optional<std::string> attribute(const std::string& path, const char* name) 
   return size < 0 ? std::nullopt : std::optional(std::string(value, static_cast<std::size_t>(size)));
 }
 
-/// The list in the system's format: a version, then tag, rights and id of each entry, little-endian. The
-/// owner may read and write, user 1234 may read, the file's group has no rights; with the mask its mode
-/// appears as 0660.
+/// An access control list in the format of the system: a version, then tag, rights and id of each entry,
+/// little-endian. The owner may read and write, user 1234 may read, the group of the file has no rights. With
+/// the mask, the mode of the file appears as 0660.
 std::string listForOneReader() {
   struct Entry {
     std::uint16_t tag, rights;

@@ -35,7 +35,7 @@ TEST(FileTarget, TellsWhatStandsThere) {
   EXPECT_EQ(fileTarget("/dev/stdout")->descriptor, 1);
 }
 
-// If the kernel protects links, it refuses them for any reader.
+// A kernel that protects links refuses another user's link in such a folder for any reader.
 TEST(FileTarget, FollowsNoLinkOfAnotherInAFolderThatAllMayWrite) {
   std::ifstream isProtected("/proc/sys/fs/protected_symlinks");
   const TemporaryFolder folder;

@@ -34,7 +34,7 @@ TEST(NormalOrder, QuantilesOfTheExtremesAreThoseOfPowers) {
     }
 }
 
-// Φ of the middle one of three has the distribution function 3p² − 2p³.
+// Φ of the middle one of three normal values has the distribution function 3p² − 2p³.
 TEST(NormalOrder, QuantilesOfTheMedianOfThree) {
   for (const double probability : {0.025, 0.3, 0.975}) {
     const double p = 1 - normalTail(normalOrderQuantile(probability, 2, 3));

@@ -20,13 +20,13 @@ TEST(Statistics, CoverageFactorMeetsTheTableOfTheGum) {
   EXPECT_NEAR(coverageFactor(0.9973, infinite), 3.000, 0.0005);
 }
 
-// With two degrees of freedom the tail is exp(−χ²/2).
 // The C library's erfc, to its rounding times the condition number z² of a tail.
 TEST(Statistics, NormalQuantileTurnsTheErrorFunctionRound) {
   for (double p = 0.95; p > 1e-300; p *= 0.7)
     EXPECT_NEAR(std::erfc(-normalQuantile(p) / std::numbers::sqrt2) / 2, p, 1e-12 * p) << p;
 }
 
+// With two degrees of freedom the tail is exp(−χ²/2).
 TEST(Statistics, ChiSquareTailMeetsItsClosedForm) {
   for (const double chiSquare : {0.0, 0.5, 3.0, 40.0, 900.0})
     EXPECT_NEAR(chiSquareUpperTail(chiSquare, 2).value() / std::exp(-chiSquare / 2), 1, 1e-12) << chiSquare;
@@ -100,8 +100,6 @@ TEST(Statistics, HasAnInfiniteFactorWhereNoIntervalIsWideEnough) {
   EXPECT_GT(coverageFactor(0.9999999, 0.05), 1e15);
 }
 
-// JCGM 100, G.4.1: for two parts of equal variance, one known, the other with ν, σ has 4ν; a single part has
-// its own.
 TEST(Statistics, StudentsTailMeetsItsClosedForms) {
   for (const double t : {-40.0, -1.0, 0.0, 0.3, 2.5, 1e6}) {
     EXPECT_NEAR(*studentLowerTail(t, 1), 0.5 + std::atan(t) / std::numbers::pi, 1e-14) << t;
@@ -114,6 +112,8 @@ TEST(Statistics, StudentsTailMeetsItsClosedForms) {
   EXPECT_EQ(studentLowerTail(std::nan(""), 3), std::nullopt);
 }
 
+// JCGM 100, G.4.1: of two parts of equal variance, one known and one with ν degrees of freedom, the sum has
+// 4ν. A single part has its own.
 TEST(Statistics, GivesTheEffectiveDegreesOfFreedom) {
   EXPECT_NEAR(effectiveDegreesOfFreedom(std::sqrt(2.0), 1, 5).count(), 20, 1e-12);
   EXPECT_NEAR(effectiveDegreesOfFreedom(3, 3, 7).count(), 7, 1e-12);

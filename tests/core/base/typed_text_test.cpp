@@ -25,7 +25,6 @@ TEST(TypedText, ReplacesWhatKeyboardsAndPdfsGive) {
   EXPECT_EQ(plainSigns("＋１，５；－２"), "+1,5;-2");
 }
 
-// Formerly accepted texts, with plain and typographic signs, are unchanged.
 TEST(TypedText, KeepsPlainSigns) {
   for (char c = ' '; c <= '~'; ++c) {
     if (c == '`') continue;

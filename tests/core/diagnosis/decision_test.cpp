@@ -192,7 +192,7 @@ TEST_F(Decision, IsTheGuardBandOfASingleAccount) {
   }
 }
 
-// 4 % of the probability are far beyond the tolerance on one side, while ± U at 95 % stays within it.
+// 4 % of the probability are far beyond the tolerance on one side, although ± U at 95 % is within it.
 TEST_F(Decision, HeedsTheRiskOnEitherSide) {
   Diagnosis diagnosis = found("collimation", 0.9, 0.3);
   diagnosis.measured->estimate.explanations = {{96, 0.9, 0.1}, {4, 9, 0.1}};
@@ -201,8 +201,8 @@ TEST_F(Decision, HeedsTheRiskOnEitherSide) {
   EXPECT_EQ(at(1.6, &diagnosis).asFound, Verdict::Accept);
 }
 
-// An undetectable jump of 0.4 mm (1σ). At Δd = 1.3 mm a tolerance of 2.5 mm permits it, one of 1.6 mm does
-// not. With it Δd is normal with √(0.102² + 0.4²); 4 of 104 sessions have it.
+// An undetectable jump moves Δd = 1.3 mm by 0.4 mm (1σ). A tolerance of 2.5 mm allows for the jump, one of
+// 1.6 mm does not. With a jump, Δd is normal with √(0.102² + 0.4²); 4 of 104 sessions have a jump.
 TEST_F(Decision, StatesTheKnockThatItRestsOn) {
   Diagnosis diagnosis = found("collimation", 1.3, 0.2);
   diagnosis.undetectableJumps = {

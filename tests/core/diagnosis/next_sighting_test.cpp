@@ -84,7 +84,7 @@ TEST(NextSighting, NamesTwoCausesThatAreThere) {
               (holds(one, "collimation") && holds(other, "vertical_index")));
 }
 
-/// Both faces at a few places show the index error, but hardly another effect.
+/// Both faces at a few places show the index error, but hardly any other effect.
 TEST(NextSighting, IsNotEnoughWhileAFurtherCauseMayHide) {
   const Truth truth = withEffect(ErrorTerm::VerticalIndex, 25);
   WatchedSession session(twoFace(), truth, 7);
@@ -114,7 +114,7 @@ TEST(NextSighting, IsCertainOfAVerdictOnlyBeyondTheRangeOfAllTimes) {
   EXPECT_NE(decided(size + 0.99 * state.halfWidth).enough, Enough::VerdictCertain);
 }
 
-/// A place may be numbered as planned and lie elsewhere: then the next sighting there lies there, too.
+/// A place may have another coordinate than planned for its number; its next sighting is at this coordinate.
 TEST(NextSighting, FindsNothingWhereThePlacesLieElsewhereThanPlanned) {
   SightingPlan plan = sightingPlanOf(twoFace());
   const Measurement measurement = *readInFaceOne(drawTruth(7)).measurement();
@@ -145,8 +145,8 @@ TEST(NextSighting, CountsNoKnownSizeAsEvidence) {
   EXPECT_LT(sessionSoFar(measurement, plan)->logEvidence, 2) << "the model contains it";
 }
 
-/// Two ways to the same U: these equations, and an adjustment of error-free readings with every effect. 0.5
-/// %: those are linear at the circles, and the other at the places.
+/// Compares U of these equations with an adjustment of error-free readings with every effect. The first are
+/// linear at the circles, the second at the places: 0.5 %.
 TEST(NextSighting, HasTheUncertaintyThatAPlanHas) {
   for (const Protocol& protocol : namedProtocols()) {
     const auto session = simulate(protocol, drawTruth(7), 7);
@@ -172,7 +172,7 @@ TEST(NextSighting, NamesAnEffectOfNoCatalogueAsAForm) {
   }
 }
 
-/// Four places in both faces leave fewer than twelve readings to check a name with.
+/// Four places in both faces leave fewer than twelve readings to check a named cause.
 TEST(NextSighting, NamesNothingWhileNoReadingIsLeftToCheckIt) {
   const Truth truth = withEffect(ErrorTerm::Collimation, 120);
   WatchedSession session(twoFace(), truth, 7);
@@ -189,7 +189,7 @@ TEST(NextSighting, NamesNothingWhileNoReadingIsLeftToCheckIt) {
   EXPECT_GE(evident, 3) << "the evidence alone would have sufficed";
 }
 
-/// What is in no catalogue looks like noise.
+/// An uncatalogued effect looks like noise.
 TEST(NextSighting, NeverNamesNoise) {
   Measurement measurement = *readInFaceOne(drawTruth(7)).measurement();
   measurement.sigmaHorizontal = measurement.sigmaHorizontal * 0.2;

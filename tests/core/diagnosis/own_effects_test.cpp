@@ -38,7 +38,7 @@ std::shared_ptr<const OwnEffects> only(const OwnEffect& effect) {
   return effects;
 }
 
-/// A session by a protocol with some effects put in.
+/// A session by a protocol, simulated with some effects.
 Session sessionWith(const OwnEffect& effect, const std::vector<std::string>& sizes, std::uint64_t seed = 7,
                     const std::string& protocol = "full") {
   Truth truth = drawTruth(seed);
@@ -74,7 +74,7 @@ double difference(const VectorXd& one, const VectorXd& other) {
   return (one - other).cwiseAbs().maxCoeff() / other.cwiseAbs().maxCoeff();
 }
 
-// The catalogue's own derivatives are those of its formulas. 1e-9: rounding of automatic differentiation.
+// The catalogue's derivatives equal those of its formulas, up to rounding of automatic differentiation: 1e-9.
 TEST(OwnColumns, AreThoseOfTheCatalogue) {
   struct Same {
     const char* formula;
@@ -96,14 +96,14 @@ TEST(OwnColumns, AreThoseOfTheCatalogue) {
     const OwnEffect own = effectOf(formula, {"A"}, "1");
     const Measurement measurement = measurementOf(sessionWith(own, {}), &own);
     const Derived derived = derivedOf(measurement);
-    // What the arc's place in the fit moves the argument by: s of the sag counts from the horizon.
+    // The argument depends on the place of the arc in the fit: s of the sag counts from the horizon.
     const bool isExact = term != ErrorTerm::TrunnionTilt;
     EXPECT_LT(difference(ownColumn(derived), derived.leftover.column(term)), isExact ? 1e-9 : 1e-4)
         << formula;
   }
 }
 
-// Those of a form are its definition, by another path.
+// The columns of a formula equal those of the form with the same definition, computed in another way.
 TEST(OwnColumns, AreThoseOfForms) {
   struct Same {
     Form form;
@@ -135,7 +135,7 @@ TEST(OwnColumns, AreThoseOfForms) {
     const Derived derived = derivedOf(measurement);
     const MatrixXd columns = formColumns(derived.readings, form);
     const double unit = form.isMillimetres() ? 1 : arcsecond;
-    // A form's own directions are as adjusted; those of the model count from a zero with its estimated error.
+    // A form uses adjusted directions; the model's directions count from a zero with its estimated error.
     for (Index c = 0; c < columns.cols(); ++c)
       EXPECT_LT(difference(unit * ownColumn(derived, static_cast<std::size_t>(c)), columns.col(c)), 1e-4)
           << formula;
@@ -223,7 +223,7 @@ TEST(OwnEffectCheck, SaysWhatIsOfNoUse) {
   EXPECT_THAT(sentence("radial = A*sqrt(s - 90°)*cos(9*s)", "0.2"), HasSubstr("no finite value"));
 }
 
-// The formulas themselves, at plausible sizes.
+// Compares the curves with the formulas themselves, at plausible sizes.
 TEST(OwnEffectCheck, DrawsWhatTheFormulaDoes) {
   const Measurement measurement = measurementOf(sessionWith(effectOf("y = A", {"A"}, "1"), {}), nullptr);
   const auto curves = [&](const char* formula, const std::vector<std::string>& amplitudes) {
@@ -273,7 +273,7 @@ TEST(KeptForm, IsAnEffectThatIsNamedFromThenOn) {
   EXPECT_EQ(named->causes[0].effect, ownId(kept));
 }
 
-// Every function and argument that forms have is a formula that effects may have.
+// The formula of every function and argument of forms is accepted as a formula of an own effect.
 TEST(KeptForm, HasAFormulaThatIsSound) {
   for (const char* formula :
        {"radial = A*cos(2*pi*0.530*t) + B*sin(2*pi*0.530*t)", "x = A*bump(s, 83.0°, 4.0°)",

@@ -39,7 +39,7 @@ TEST(SharedForm, AgreesWithNoneWhoseShapeIsUnsettled) {
   }
 }
 
-// By hand: weights 1 and 1/4; of the depths, which differ by 4 u, χ² = 8 with one degree of freedom.
+// Calculated by hand. The weights are 1 and 1/4. The depths differ by 4 u: χ² = 8 with one degree of freedom.
 TEST(SharedForm, IsTheMeanByWeightWithBirgesRatio) {
   const FoundForm first = dent(at(70, 1), deep(0.1, 0.01)), second = dent(at(71, 2), deep(0.14, 0.01));
   const FoundForm mean = meanOf({&first, &second});
@@ -50,7 +50,7 @@ TEST(SharedForm, IsTheMeanByWeightWithBirgesRatio) {
   EXPECT_EQ(mean.formula, "radial = A*bump(s, 70.2°, 8.0°)");
 }
 
-// The u of an order may be far below rounding: a mean by weight would not be whole.
+// The u of an order may be far below rounding: a weighted mean of orders would not be a whole number.
 TEST(SharedForm, KeepsTheOrder) {
   std::vector<FoundForm> waves;
   for (const double u : {3e-41, 7e-39, 2e-40}) {

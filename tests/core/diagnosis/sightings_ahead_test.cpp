@@ -24,8 +24,8 @@ WatchedSession begun(const Truth& truth, std::uint64_t seed) {
   return session;
 }
 
-/// U depends on what is sighted and not on the values: taken with noise in the same order, the sightings come
-/// to the same U. 2 %: the equations are linear at circles that the noise moves.
+/// U depends on the sightings and not on their values: the same sightings, simulated with noise in the same
+/// order, lead to the same U. The noise moves the circles at which the equations are linear: 2 %.
 TEST(SightingsAhead, ComeToTheSameUncertaintyWhenTheyAreTaken) {
   const Truth truth = drawTruth(3);
   WatchedSession session = begun(truth, 3);
@@ -71,7 +71,7 @@ TEST(SightingsAhead, SayWhatIsNotReached) {
   EXPECT_FALSE(sightingsFor(0.3, *session.measurement(), plan, 5).expanded) << "Δd needs both positions";
 }
 
-/// An effect of which each number is known to a millionth of its plausible size.
+/// Makes each number of an effect known to a millionth of its plausible size.
 void know(Measurement& measurement, std::string_view id) {
   for (const EffectParameter& parameter : effectById(id)->parameters)
     measurement.known.push_back({.effect = std::string(id),
@@ -81,8 +81,8 @@ void know(Measurement& measurement, std::string_view id) {
                                  .sigma = 1e-6 * parameter.plausible});
 }
 
-/// Whoever then knows it, or reads the slider too, reaches the U that was said. 2 %: the sightings that tell
-/// most are others then.
+/// With this effect known, or with slider readings, the promised U is reached. The most informative sightings
+/// are then others: 2 %.
 TEST(SightingsAhead, SayWhatWouldReachFurther) {
   const WatchedSession session = begun(drawTruth(3), 3);
   const SightingPlan plan = sightingPlanOf(watched());

@@ -24,7 +24,7 @@ TEST(Unexplained, WeighsAMisclosureByItsChance) {
   EXPECT_NEAR(chanceOfMore(chance), 1 / (1 + 41.36 / (std::exp((z * z - 1) / 2) / z)), 1e-3);
 }
 
-// From a risk of 100 % to 1e-12 in steps of 2 %: the result never changes by more than a step changes z.
+// From a risk of 100 % to 1e-12 in steps of 2 %: the result never changes by more than z does in a step.
 TEST(Unexplained, NeverJumps) {
   double before = chanceOfMore(1);
   for (double chance = 1; chance > 1e-12; chance *= 0.98) {

@@ -10,8 +10,8 @@
 namespace alidade {
 namespace {
 
-// Without one row, or with one misread by 60″, undecided becomes accept only if all readings give a
-// probability of conformity above 90 %. So near the limit the verdict depends on the noise. The bench
+// If a row is missing or misread by 60″, an undecided verdict becomes accept only if all readings give a
+// probability of conformity above 90 %. Near the limit the verdict thus depends on the noise. The bench
 // `alidade_verdict_stability` repeats this thousands of times.
 TEST(VerdictStability, WorseReadingsDoNotMakeABetterVerdict) {
   int all = 0;
@@ -39,8 +39,8 @@ std::set<std::pair<std::size_t, std::size_t>> allDependences(const test::JudgedS
   return rows;
 }
 
-// Every named row is right. If a verdict depends on a row, one such row is named in most sessions: here in
-// all but two of 30, because only 8 rows are left out.
+// Every named row is right. If the verdict depends on any row, at least one such row is named in most
+// sessions: in all but two of 30, since only 8 rows are left out.
 TEST(VerdictStability, NamesRowsOnWhichAVerdictDepends) {
   int dependent = 0, named = 0;
   for (std::uint64_t seed = 1; seed <= 30; ++seed) {

@@ -11,7 +11,7 @@
 namespace alidade {
 namespace {
 
-/// The tools of the ray tracer know the effects of their time only.
+/// False for the effects that the ray tracer lacks.
 bool isKnownToTheRayTracer(const std::string& effect) {
   return effect != "plane_skew" && effect != "arm_sag" && effect != "vertical_graduation" &&
          effect != "vertical_refraction";

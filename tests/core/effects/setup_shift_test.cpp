@@ -12,8 +12,8 @@
 #include "core/simulation/simulate.h"
 #include "core/simulation/truth_text.h"
 
-// The displacement of the set-up between the positions: Δd changes by half of it, undetectable in any
-// reading.
+// The displacement of the set-up between the positions changes Δd by half of its size and is undetectable in
+// any reading.
 
 namespace alidade {
 namespace {

@@ -63,7 +63,7 @@ TEST(CsvReader, ListsColumnsItDoesNotUse) {
   EXPECT_EQ(recording.sightings[1].distanceM, 3);
 }
 
-// DOS programs end a text by ^Z, at the last cell or in a line of its own, and leave old bytes behind it.
+// DOS programs end a text by ^Z, in the last cell or in a line of its own; old bytes may follow the sign.
 TEST(CsvReader, EndsAtTheSignOfDos) {
   const std::string head = "point,horizontal,vertical\n1,10 00 00,90 00 00", more = "2,11 00 00,91 00 00\n";
   for (const auto& [end, line] : {std::pair("\x1A\n", "line 2"), std::pair("\n\x1A", "line 3")}) {

@@ -93,7 +93,7 @@ TEST(CsvTable, EndsBeyondTheColumnsOfAnyTable) {
   EXPECT_EQ(rowsOf("#" + lineOf(limits::mostColumns + 5), true).at(0).cells.size(), limits::mostColumns);
 }
 
-// A line for each row and one more; empty ones do not count.
+// The text has one line more than the table may have rows; empty lines do not count.
 TEST(CsvTable, EndsBeyondTheRowsThatAreRead) {
   std::string text = "name\n\n";
   for (std::size_t i = 0; i < limits::mostRows; ++i) text += "1\n";

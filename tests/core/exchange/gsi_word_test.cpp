@@ -7,8 +7,8 @@
 
 #include "core/base/angle_text.h"
 
-// The words and their values are those of the data format chapter of the TPS1100 user manual, if it gives
-// any.
+// The words are from the data format chapter of the TPS1100 user manual, and so are the values if the chapter
+// states them.
 
 namespace alidade::test {
 namespace {

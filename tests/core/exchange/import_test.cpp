@@ -151,8 +151,8 @@ std::string axesOf(const Import& import) {
   return axes;
 }
 
-// Places that are sighted again after the axis returned belong to another position, with the zeros sighted
-// then; further rounds and other places do not.
+// Places that are sighted again after the axis returned belong to another position, together with the zeros
+// sighted at that time. Further rounds and new places do not.
 TEST(Import, MakesAPositionOfEachTimeTheAxisComesBack) {
   const auto of = [](const std::string& rows) { return imported("axis,point,round,face,Hz,V\n" + rows); };
   const std::string first = "0,1,,,341°,88°\n0,2,,,342°,88°\n",

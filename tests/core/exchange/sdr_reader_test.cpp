@@ -32,7 +32,7 @@ std::string record(const std::string& kind, const std::vector<std::string>& fiel
   return text + end;
 }
 
-/// The same for SDR2x: points of 4 characters, numbers of 10.
+/// A record of SDR2x: points have 4 characters, numbers 10.
 std::string shortRecord(const std::string& from, const std::string& to, const std::string& distance,
                         const std::string& vertical, const std::string& horizontal) {
   return "09F1" + filled(from, 4) + filled(to, 4) + filled(distance, 10) + filled(vertical, 10) +

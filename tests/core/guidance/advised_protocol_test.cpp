@@ -25,7 +25,7 @@ TEST(ProtocolFromRows, OfASessionWithoutRowsIsNone) {
   EXPECT_TRUE(protocolFromRows(blankSession()).positions.empty());
 }
 
-/// Every place would be sighted in every round: thirty rows are nine hundred sightings, 10⁵ would be 10¹⁰.
+/// A protocol sights every place in every round: thirty rows would be nine hundred sightings, 10⁵ rows 10¹⁰.
 TEST(ProtocolFromRows, OfMoreThanAProtocolHoldsIsNone) {
   Session session = blankSession();
   const auto typeRows = [&](int count) {

@@ -222,7 +222,7 @@ TEST(CarriedOut, LeavesTheSliderWhereItStoodInAVisit) {
   EXPECT_EQ(compared, 68) << "17 places there and back, in two positions";
 }
 
-/// The outlook starts from the U on the result pages, also with an error that one face cannot show.
+/// The outlook starts from the U on the result pages, even with an error that one face cannot show.
 TEST(Outlook, StartsFromTheResult) {
   for (const char* name : {"paper", "two-face"}) {
     Truth truth = test::truth();

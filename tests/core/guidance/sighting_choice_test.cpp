@@ -115,8 +115,8 @@ TEST(SightingChoice, IsNotEnoughBeforeBothPositionsAreRead) {
   EXPECT_THAT(enoughSentence(alone), HasSubstr("needs readings at both positions"));
 }
 
-/// Named by both faces of the first round; then an early place and the zero are still to be sighted, because
-/// the index error may be one that drifts.
+/// Both faces of the first round name the index error. An early place and the zero must still be sighted,
+/// because the index error may drift.
 TEST(SightingChoice, ReturnsToAnEarlyPlaceAndTheZeroBeforeTheEnd) {
   Truth tilted = truth();
   tilted.effects = {{ErrorTerm::VerticalIndex, 20}};
@@ -166,7 +166,7 @@ TEST(SightingChoice, IsToldWithWhatMayBeTheCase) {
     EXPECT_THAT(sentence, testing::Not(HasSubstr("_"))) << "no identifier reaches a person";
 }
 
-/// An index error of face 2 and a collimation: both are named, and stand below each other.
+/// An index error of face 2 and a collimation: both are named, one below the other.
 TEST(SightingChoice, IsToldWithASecondCause) {
   Truth two = truth();
   two.effects = {{ErrorTerm::VerticalIndex, 20}, {ErrorTerm::Collimation, 25}};

@@ -18,7 +18,7 @@ TEST(HalfTurn, SignIsThatOfARotationAboutX) {
   }
 }
 
-// A mark of the guideway's scale is at s in its own plane; turned with it, it is seen at φ.
+// A mark of the scale is at s in the plane of the guideway; with the guideway turned, it is seen at φ.
 TEST(HalfTurn, SliderCoordinateStaysWithTheGuideway) {
   for (const int axisDeg : {0, 180})
     for (const double s : {-2.5, -0.4, 0.0, 1.0, 3.0}) {

@@ -14,7 +14,7 @@ double inDegrees(double radians) {
   return Angle::fromRadians(radians).degrees();
 }
 
-/// s of each place, degrees, after its arc angle was found from a direction and unwrapped. Where it is read,
+/// s of each place, degrees, after its arc angle was found from a direction and unwrapped. Where `isRead`,
 /// the slider reads `zero` more than s, on a scale from 0° to 360°.
 std::vector<double> unwrapped(const std::vector<double>& places, int axisDeg, double zero = 0,
                               const std::vector<bool>& isRead = {}) {
@@ -49,7 +49,7 @@ TEST(SliderTurns, RunOnThroughTheScalesOwnZero) {
   for (const int axisDeg : {0, 180}) expectSame(unwrapped(places, axisDeg), places);
 }
 
-// Any gap of such an arc may be its open side; the scale begins at its 0°.
+// For an arc around the full circle, any gap may be the open side; the scale begins at its 0°.
 TEST(SliderTurns, FollowTheScaleAllButRoundTheCircle) {
   std::vector<double> places;
   for (double s = 0; s < 360; s += 22.5) places.push_back(s);

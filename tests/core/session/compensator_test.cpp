@@ -71,8 +71,8 @@ std::vector<std::string> findingsOf(const Measurement& measurement) {
   return texts;
 }
 
-// The plumb line seen from an instrument tilted as in the forward model, with its rotations written out
-// independently. A liquid compensator reads its components along and across the line of sight.
+// The plumb line as seen from an instrument tilted as in the forward model, with rotations written out
+// independently. A liquid compensator reads the components along and across the line of sight.
 TEST(Compensator, ReadsThePlumbLineInTheAlidade) {
   const AxisTilt tilt{40 * oneArcsec, -70 * oneArcsec};
   const Eigen::Matrix3d labFromInstrument = (Eigen::AngleAxisd(tilt.aboutZ, Eigen::Vector3d::UnitZ()) *

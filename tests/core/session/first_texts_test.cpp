@@ -38,8 +38,8 @@ TEST(FirstTexts, OfACopyAreItsOwn) {
   EXPECT_EQ(copy.all(), (FirstTexts::Texts{{"point", "3"}}));
 }
 
-/// A job reads and releases its copy while the window changes its own; an unshared one is changed in place.
-/// For the thread sanitizer.
+/// A job reads and releases its copy while the window changes its own. A copy that is not shared is changed
+/// in place. The test is for the thread sanitizer.
 TEST(FirstTexts, OfACopyAreReadElsewhereWhileTheirOwnChange) {
   std::vector<FirstTexts> rows(500);
   for (int turn = 0; turn < 20; ++turn) {

@@ -38,7 +38,7 @@ TEST(NextSession, KeepsWhatStaysFromOneDeviceToTheNext) {
   EXPECT_EQ(next.protocol, session.protocol);
 }
 
-// A figure of the last device that stays unnoticed would be a wrong result.
+// A number of the last device that remains unnoticed would lead to a wrong result.
 TEST(NextSession, BeginsAnewWithWhatIsOfOneMeasurement) {
   const Session next = nextSession(fullSession());
   for (const char* key : {"title", "notes", "measured_on", "report.number", "device.serial",

@@ -99,7 +99,7 @@ TEST(RowFields, AreToldApartByTheirKeys) {
     EXPECT_EQ(columnName(std::string(field.key)).column, TableColumn{&field}) << field.key;
 }
 
-// Common names of such columns; a tilt in another unit is ignored.
+// Common names of tilt columns; a tilt in another unit is ignored.
 TEST(RowFields, KnowHowTiltsAreNamed) {
   for (const char* name : {"Cross tilt", "tilt_cross_arcsec", "Transverse inclination [arcsec]"})
     EXPECT_EQ(columnName(name).column, TableColumn{&rowField(&Reading::tiltCrossArcsec)}) << name;
@@ -126,7 +126,7 @@ TEST(RowFields, RefuseTiltsAndCorrectionsThatMeanNothing) {
     EXPECT_THAT(said(&Reading::corrections, typed), testing::HasSubstr("names no corrections")) << typed;
 }
 
-// Rows without them are written unchanged.
+// Rows without statements of the compensator are written unchanged.
 TEST(RowFields, OfTheCompensatorAreWrittenWhereTheyAre) {
   Session session = blankSession();
   session.geometry.distanceMm = "2405";

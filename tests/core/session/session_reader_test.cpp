@@ -71,8 +71,8 @@ TEST(SessionRows, ShareAnOriginWhereTheyDifferInTheirTextsOnly) {
   EXPECT_NE(originOf(2), originOf(3));
 }
 
-/// A row rebuilt from its origin, in which null replaces its texts. Only those of the circles are written if
-/// empty.
+/// A row rebuilt from its origin, in which null replaces the texts. Empty texts are written only for the
+/// circles.
 Json madeAgain(const Reading& reading) {
   Json row = reading.origin.object();
   const auto put = [&](const char* key, const std::string& text, bool isNumber, bool isRequired = false) {
@@ -169,7 +169,7 @@ TEST(SessionFromJson, NamesTheFirstThingWrong) {
   }
 }
 
-// The whole keeps the keys of a part in their place, but not its values: the file would contain them twice.
+// The document's origin keeps the place of a part, but not its values: the file would have them twice.
 TEST(SessionFromJson, PutsEachValueIntoOneOrigin) {
   const Json json = soundDocument();
   SessionRows rows;

@@ -126,7 +126,7 @@ TEST(BlindTrial, DrawsOwnEffects) {
   }
 }
 
-// As often as one effect of the catalogue: 4.5 σ of the count. The slider's only where the slider is read.
+// Own effects are drawn as often as catalogued ones (4.5 σ of the count); the slider's need its readings.
 TEST(BlindTrial, DrawsOwnEffectsAsOftenAsOthers) {
   constexpr int count = 200;
   const BlindTrialOptions options{.protocol = "paper", .own = ownEffects()};

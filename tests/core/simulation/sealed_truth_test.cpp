@@ -81,8 +81,8 @@ TEST(SealedTruth, TakesEveryKindOfNoCatalogue) {
   }
 }
 
-// Other test generators have other names for an effect, and for all of them together; a series is not a
-// session.
+// Other test generators have other names for an effect, and a name for all effects together. A series is not
+// a session.
 TEST(SealedTruth, KnowsWhatOtherRefereesCallIt) {
   const auto truths = *readSealedTruths(R"({
     "a": {"kind": "drift_real_v", "intersection_mm": 0, "plan": "far"},

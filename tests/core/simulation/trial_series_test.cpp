@@ -72,7 +72,7 @@ TEST(TrialSeries, IsRightWhereOnlyTheSurroundingsTell) {
   EXPECT_GE(rightOf("paper-slider", "unknown"), 6);
 }
 
-// Where the session states it an own effect must be named, where not it is of no catalogue.
+// If the session states an own effect, the effect must be named; otherwise the effect is uncatalogued.
 TEST(TrialSeries, AnOwnEffectCountsAsOneOfTheCatalogue) {
   std::vector<Problem> problems;
   const auto own = examineOwnEffects({{.id = "dent",

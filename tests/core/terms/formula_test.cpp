@@ -124,8 +124,8 @@ TEST(Formula, TellsLineAndColumnInCharacters) {
   EXPECT_THAT(formula.problem().text(text), HasSubstr("Line 2, column 29: “foo”"));
 }
 
-// What strangers may write: refused, or bounded in time. The limit is far above what is needed, as the
-// machine may be busy.
+// Formulas from unknown authors are refused or bounded in time. The limit is far above the time needed, since
+// the machine may be busy.
 TEST(Formula, OfStrangersIsBounded) {
   std::string deep = "radial = A", chain = "radial = A", powers = "radial = A*9";
   for (int i = 0; i < 60; ++i) deep = "radial = (" + deep.substr(9) + ")";

@@ -42,7 +42,7 @@ TEST(DiagnosisSentence, SaysShrinkOnlyOfWhatShrinks) {
   EXPECT_THAT(sentenceOf(withOneCause(2.941, 2.938)), HasSubstr("stay at 2.94″."));
 }
 
-/// One 10 σ off, and one within its σ.
+/// A closure that is off by 10 σ, and one within its σ.
 const Closure open{.of = Closure::Of::Radius, .value = 1, .sigma = 0.1, .chance = 1e-23};
 const Closure closed{.of = Closure::Of::Radius, .value = 0.01, .sigma = 0.1, .chance = 0.92};
 

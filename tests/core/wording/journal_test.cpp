@@ -9,7 +9,7 @@ std::string shown(const std::string& place, const std::string& text) {
   return contentText({.place = place, .to = text}, text);
 }
 
-// Identifiers of effects stand in the file; the journal of window and report shows names.
+// The file contains ids of effects; the journal of window and report shows their names.
 TEST(JournalContent, NamesEffects) {
   EXPECT_EQ(shown("model.effects", "collimation, trunnion_tilt"), "collimation, trunnion tilt");
   EXPECT_EQ(shown("model.effects", ""), "");

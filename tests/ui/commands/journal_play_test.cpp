@@ -117,9 +117,9 @@ class Player {
   SessionDocument m_document;
 };
 
-// Three things once made an honest session fail: two deletions within one second, empty rows without an entry
-// before the first seal, and rows with the same point, round and face in both positions. The sessions of
-// these seeds failed before all three were mended.
+// Seeds of sessions that once failed although they were unaltered. They contain two deletions within one
+// second, empty rows without an entry before the first seal, or rows with the same point, round and face in
+// both positions.
 constexpr unsigned hardSeeds[] = {82,  84,  102, 137, 185, 187, 198, 205, 225, 267, 271, 308,
                                   324, 417, 425, 562, 577, 586, 625, 629, 632, 635, 638};
 

@@ -250,8 +250,8 @@ TEST(AlteredJournalRows, AreNamedAfterASeal) {
   }
 }
 
-/// After a change outside the program and a second seal, both seals report it: the later one sealed a value
-/// without an entry.
+/// A change outside the program and a second seal: both seals report the change, since the second one sealed
+/// a value without an entry.
 TEST(AlteredJournalRows, StayNamedWhenSealedAgain) {
   Json json = Recorded(Stage::EditedOnce).json();
   row(json, 1, 7)["horizontal"] = "1 00 00";

@@ -17,8 +17,8 @@
 #include "ui/main_window.h"
 #include "ui/panels/readings/readings_table.h"
 
-// File ▸ Import Readings is undoable. It adds to the current session if that has no readings, or creates a
-// new one if so chosen. Page tests: import_page_test.cpp.
+// File ▸ Import Readings is undoable. It adds readings to the current session if the session has none; on
+// request, it creates a new session. Page tests: import_page_test.cpp.
 
 namespace alidade::ui {
 namespace {
@@ -43,7 +43,7 @@ class ImportFlow : public ::testing::Test {
   }
   std::string notes() const { return open.dialogs->problems.join(QLatin1Char('\n')).toStdString(); }
 
-  /// Undoes the typed text and the import. The session then equals its file, but a redo would restore the
+  /// Undoes the typed text and the import. The session then equals its file, but redo would restore the
   /// import.
   void undoWhatWasTypedAndTheImport() {
     typeInto(*open->findChild<QLineEdit*>(QStringLiteral("geometry.distance_mm")), QStringLiteral("2411"));

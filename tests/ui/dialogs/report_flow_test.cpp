@@ -165,7 +165,7 @@ TEST_F(ReportFlowTest, OpensTheSessionOutOfTheReport) {
   EXPECT_EQ(report.readAll(), before);
 }
 
-// Reported readings are recorded: a change of them enters the journal.
+// Readings from a report count as recorded: changing them adds an entry to the journal.
 TEST_F(ReportFlowTest, WhatIsOpenedOutOfAReportStands) {
   open.dialogs->reportPath = in("report.pdf");
   ASSERT_TRUE(open->files().exportReport());

@@ -23,7 +23,7 @@ bool Housekeeper::isBusy() {
   return waiting() != nullptr;
 }
 
-/// Presses keys and closes only after this call, since either may open another dialog and wait in it.
+/// Keys and closing act after this call, since either may open another dialog that waits.
 void Housekeeper::look() {
   QWidget* open = waiting();
   if (!open) {

@@ -6,7 +6,7 @@
 
 namespace alidade::ui {
 
-/// Answers menus and message boxes, which would wait forever, by a key or two; then closes them.
+/// Answers menus and message boxes, which would wait forever, by a key or two, and closes those that remain.
 class Housekeeper {
  public:
   explicit Housekeeper(unsigned seed);

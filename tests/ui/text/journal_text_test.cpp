@@ -5,7 +5,7 @@
 namespace alidade::ui {
 namespace {
 
-/// What the journal says an entry was of, by its place in the session file.
+/// The journal's name of an entry, by the place of the entry in the session file.
 TEST(JournalText, NamesEachPlaceAsThePageDoes) {
   const auto placeOf = [](const char* place) {
     JournalEntry entry;

@@ -24,7 +24,7 @@ TEST(ArcChecks, CountPlacesThatDifferByMoreThanTheNoise) {
   EXPECT_FALSE(check({{0, 0}, {9, 9}, {0, 1.1 * noise}}));
 }
 
-// A short arc has a small sagitta; a wide one, or one without finite numbers, fails for another reason.
+// A short arc has a small sagitta. A wide arc, or one without finite numbers, fails for other reasons.
 TEST(ArcChecks, BlameTheShortArcOnlyWhereItIsShort) {
   ArcFit fit;
   fit.circle.radius = 400;

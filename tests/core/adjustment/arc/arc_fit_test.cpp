@@ -112,8 +112,8 @@ TEST(ArcFit, MirrorsWithTheReadings) {
   EXPECT_NEAR(mirror->circle.radius, fit->circle.radius, 1e-9);
 }
 
-// The covariance compared with 4000 simulated arcs: a sample σ of 4000 scatters by 1/√8000 = 1.1 %, so 5 % is
-// 4.5 times that.
+// Compares the covariance with 4000 simulated arcs. A sample σ of 4000 scatters by 1/√8000 = 1.1 %; the
+// tolerance of 5 % is 4.5 times that.
 TEST(ArcFit, CovarianceMeetsTheScatterOfSimulatedArcs) {
   Measurement measurement = test::usualMeasurement();
   measurement.sigmaVertical = Angle::fromArcseconds(5);
@@ -192,8 +192,8 @@ TEST(ArcFit, SaysWhyReadingsFixNoCircle) {
   EXPECT_TRUE(refusal<PlacesOnALine>(measurement, line));
 }
 
-// Noise may bend an almost straight row of places either way; in any case there is a result or a reason why
-// not.
+// Noise may bend an almost straight row of places to either side. The fit then gives a result or a reason for
+// its failure.
 TEST(ArcFit, ShortArcsEndInAnAnswerOrAReason) {
   const Measurement measurement = test::usualMeasurement();
   std::mt19937_64 generator(11);

@@ -108,7 +108,7 @@ TEST(FastArcFit, IsTheGeneralFitOnWhateverItAccepts) {
     expectSame(*fast, fitGenerally(measurement, arc, fast->circle));
     ++accepted;
   }
-  EXPECT_GE(accepted, 467);  // the rest: angles above 45°, noise beyond the arc's sagitta
+  EXPECT_GE(accepted, 467);  // refused are angles above 45° and noise beyond the sagitta of the arc
 }
 
 TEST(FastArcFit, ManyAtOnceAreTheSingleOnes) {
@@ -169,8 +169,8 @@ TEST(FastArcFit, ManyPlacesMeetTheGeneralFit) {
   }
 }
 
-// The part that is fitted first consists of blocks: neither the order of the places nor a pattern in it may
-// matter.
+// Fits a part of the places, taken in blocks, first: neither the order of the places nor a pattern in the
+// order may matter.
 TEST(FastArcFit, ManyPlacesInAnyOrder) {
   const Measurement measurement = test::usualMeasurement();
   std::mt19937_64 generator(4);
@@ -188,7 +188,7 @@ TEST(FastArcFit, ManyPlacesInAnyOrder) {
   EXPECT_NEAR(shuffled->cofactor[1][1], ordered->cofactor[1][1], 2e-6 * ordered->cofactor[1][1]);
 }
 
-// Errors that do not average out: each place 6″ off, as left by an unmodelled effect.
+// Systematic errors: each place is off by 6″, as from an unmodelled effect.
 TEST(FastArcFit, ManyPlacesWithSystematicErrorsMeetTheGeneralFit) {
   const Measurement measurement = test::usualMeasurement();
   ArcMeasurement arc = test::perfectArc(measurement, {-2, 1, 400}, test::spread(70003, 120));

@@ -32,8 +32,8 @@ ArcMeasurement inBothFaces(const ArcMeasurement& arc, Angle horizontal, Angle ve
   return both;
 }
 
-// For rows with a perfect mean only their difference remains: χ² is (d/σ)² of each reading. Rounding of the
-// readings is some 1e-12 mm, the remainder of the fast fit 1e-9 mm.
+// The two readings of a visit have a perfect mean, so χ² is the sum of (d/σ)², where ±d is their deviation.
+// Readings are rounded to some 1e-12 mm; the fast fit is accurate to 1e-9 mm.
 TEST(FirstFit, SumsWhatTheFacesOfAVisitDifferBy) {
   Measurement measurement = test::usualMeasurement();
   measurement.sigmaVertical = Angle::fromArcseconds(5);
@@ -57,8 +57,8 @@ TEST(FirstFit, SumsWhatTheFacesOfAVisitDifferBy) {
   }
 }
 
-// Round after round through the same places: with enough rounds the first, the middle and the last visit are
-// at one place. Only the general fit fills residuals.
+// Many rounds sight the same places: with enough rounds the first, the middle and the last visit are at one
+// place. Only the general fit fills `residuals`.
 TEST(FirstFit, TakesTheFastFitHoweverOftenThePlacesComeAgain) {
   const Measurement measurement = test::usualMeasurement();
   const ArcMeasurement once = test::perfectArc(measurement, circleSighted, test::spread(5, 160), 0);
@@ -116,7 +116,7 @@ TEST(FirstFit, TakesTheGeneralFitWhereTheFastOneIsRefused) {
   EXPECT_NEAR(fit->residuals.front().arcAngle, test::spread(9, 160).front(), 1e-9);
 }
 
-// The reason is that of the fit of the arc, which depends only on the stated noise.
+// The reason for the refusal is that of `fitArc`, which depends only on the stated noise.
 TEST(FirstFit, RefusesWhatFixesNoCircle) {
   Measurement measurement = test::usualMeasurement();
   const auto faultOf = [&](const std::vector<double>& angles) {
@@ -135,8 +135,8 @@ TEST(FirstFit, RefusesWhatFixesNoCircle) {
     EXPECT_TRUE(std::holds_alternative<arc_fault::ArcTooShort>(faultOf(test::spread(4, span)))) << span;
 }
 
-// A visit of two rows counts as two visits of one: reading the first twice moves the circle as three single
-// rows there do.
+// A visit with two rows has the weight of two visits with one row: doubling the first row moves the circle as
+// three single rows at that place do.
 TEST(FirstFit, WeighsVisitsByTheirRows) {
   const Measurement measurement = test::usualMeasurement();
   ArcMeasurement arc = test::perfectArc(measurement, circleSighted, test::spread(7, 160));

@@ -84,8 +84,8 @@ TEST_P(FootPointTest, IsFoundToRoundingFarFromTheArcToo) {
   }
 }
 
-// The slider reading is 30″ off, in either sense, and there are two rows: no neighbouring place is better
-// than the foot.
+// The slider reading is off by 30″ in either direction, and the visit has two rows. No place near the foot
+// may fit better than the foot.
 TEST_P(FootPointTest, WeighsTheSliderAlong) {
   for (const int axisDeg : {0, 180}) {
     const ArcView view = viewOf(GetParam(), axisDeg);

@@ -73,7 +73,7 @@ TEST(PublishedFit, IsWrongByMillimetresOnErrorFreeReadings) {
   EXPECT_NEAR(ofErrorFreeReadings(0).arcs[0].asPrinted.thetaX, 0.030, 0.002);
 }
 
-// On readings that follow its own planar relation its centre columns are right: no tilt, the true centre.
+// On readings by the planar relation, which the method assumes, the centres are true and there is no tilt.
 TEST(PublishedFit, IsConsistentWithItsOwnRelation) {
   Measurement measurement = test::usualMeasurement();
   measurement.relation = VerticalAngleRelation::Planar;

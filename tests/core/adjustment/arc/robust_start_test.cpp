@@ -38,7 +38,7 @@ TEST(RobustStart, IsNotMovedBySevenOfSeventeenRows) {
   EXPECT_THAT(start.apart, ElementsAre(0, 3, 4, 8, 10, 15, 16));
 }
 
-// Any rows may be wrong by any amount, as long as a majority of ⌊n/2⌋ + 2 remains.
+// Any rows may be wrong by any amount if ⌊n/2⌋ + 2 rows are right.
 TEST(RobustStart, IsNotMovedByAnyMinority) {
   std::mt19937_64 random(21);
   const Measurement measurement = usualMeasurement();

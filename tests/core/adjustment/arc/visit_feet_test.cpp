@@ -31,8 +31,8 @@ ArcView viewIn(const Situation& situation) {
   return ArcView(measurement, situation.axisDeg);
 }
 
-/// Visits of one row or two along 5 rad of the arc, every third without a slider reading. Each circle, and
-/// the slider, is off by up to `off`.
+/// Visits of one or two rows along 5 rad of the arc; every third visit has no slider reading. Each circle and
+/// slider reading is off by at most `off`.
 std::vector<VisitReading> visitsAlong(const Situation& situation, std::size_t count, Angle off) {
   std::mt19937 random(static_cast<unsigned>(count));
   std::uniform_real_distribution<double> within(-off.radians(), off.radians());
@@ -69,9 +69,9 @@ double chiSquareAt(const Situation& situation, const std::vector<VisitReading>& 
 
 class VisitFeetTest : public testing::TestWithParam<Situation> {};
 
-// Eight at a time and one by one, the equations are the same; only the final point differs, within rounding
-// of its angle. Above 0.001 rad (206″) a block with one such visit is processed one by one; at 2°, a fifth of
-// the radius from the arc, a foot depends on its start by some 1e-11 rad.
+// Processing visits eight at a time or one by one gives the same equations; only the feet differ, within
+// rounding of their angles. A block with a visit above 0.001 rad (206″) is processed one by one. At 2°, a
+// fifth of the radius from the arc, a foot depends on its start by some 1e-11 rad.
 TEST_P(VisitFeetTest, AreTheFootPointsOfEachVisit) {
   for (const std::size_t count : {1, 2, 7, 8, 9, 17, 24, 40})
     for (const double arcseconds : {0.0, 2.0, 100.0, 400.0, 7200.0}) {

@@ -77,9 +77,9 @@ TEST(CorrectionTrials, GatherTheRowsOfAVisit) {
   EXPECT_TRUE(trials.visitOf(0, 3, 1).rows.empty());
 }
 
-// Slips visible by ten σ and more, of single sightings, with the slider, and in two faces: the visit as typed
-// is rejected, and the right correction comes first and leaves some noise. All that agree are ordered by
-// score.
+// Errors visible by ten σ and more: of single sightings, with the slider, and in two faces. The visit as
+// typed is rejected. The right correction comes first and leaves some noise. All corrections that agree with
+// the visit are ordered by score.
 TEST(CorrectionTrials, PutWhatWasMeantFirst) {
   using enum TypedError;
   for (const char* plan : {"paper", "paper-slider", "two-face"})
@@ -105,8 +105,8 @@ TEST(CorrectionTrials, PutWhatWasMeantFirst) {
       }
 }
 
-// In one face and without slider the score is the sum of three parts: the frequency of the slip, the row's
-// agreement with all others, and the gain in the visit of another changed row. Sums in the same order: 1e-9.
+// In one face without slider, the score is the sum of three parts: the frequency of the slip, the
+// agreement of the row with all others, and the gain in the visit of another changed row. Rounding: 1e-9.
 TEST(CorrectionTrials, ScoreBySlipAndBothVisits) {
   using enum TypedError;
   int inOne = 0, inTwo = 0;
@@ -199,8 +199,8 @@ TEST(CorrectionTrials, CheckByOtherVisitsAlone) {
   EXPECT_GT(std::abs(logLikelihood(ofChanged, nullptr) - logLikelihood(trials, nullptr)), 1e-3);
 }
 
-// The horizontal circle in face 1 and the vertical one in face 2: a single slip cannot explain both, but with
-// either error subtracted the other is corrected, by changes of that cell alone.
+// The horizontal circle is wrong in face 1 and the vertical circle in face 2. A single slip cannot explain
+// both; with either error subtracted, changes of the other cell alone correct the visit.
 TEST(CorrectionTrials, MendTwoSlipsOfOneVisitOneByOne) {
   Session session = sound("full");
   const std::vector<CellChange> cures{
@@ -226,9 +226,9 @@ TEST(CorrectionTrials, MendTwoSlipsOfOneVisitOneByOne) {
   }
 }
 
-// Both rows of each visit hold the same slider reading, and the fit takes the first. If the second is typed
-// wrongly nothing is misread, but only the slider needs correction. Of the possible texts for 30″ too much or
-// too little the nearest comes first, by 10″ = 2 σ from the next; for a degree, only one text fits.
+// Both rows of each visit hold the same slider reading, and the fit uses the first. A wrongly typed second
+// one is no misread sighting, but the slider needs correction. Of the possible texts for an error of 30″ the
+// nearest comes first, 10″ = 2 σ from the next; for a degree, only one text fits.
 TEST(CorrectionTrials, HoldTheSliderOfTwoRowsAgainstEachOther) {
   Session session = sound("full");
   std::vector<Reading>& readings = session.positions[0].readings;

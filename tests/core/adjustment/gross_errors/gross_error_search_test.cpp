@@ -61,7 +61,7 @@ TEST(GrossErrorSearch, BlamesNoReadingForAnEffect) {
   }
 }
 
-// The paper's readings scatter seven times more than stated, but all of them equally.
+// The paper's readings scatter seven times as much as stated, and all of them equally.
 TEST(GrossErrorSearch, NamesNothingInThePapersReadings) {
   const GrossErrorSearch search = searchGrossErrors(paperMeasurement());
   EXPECT_THAT(search.grossErrors, IsEmpty());

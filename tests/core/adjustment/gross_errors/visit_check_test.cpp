@@ -61,8 +61,7 @@ TEST(VisitCheck, SeesWhatIsOffTheArc) {
   EXPECT_NEAR(Angle::fromRadians(agreement.residuals[1]).arcseconds(), 60, 8);
 }
 
-// A point moved along the arc is still on it, but its place is wrong: 10′ across the line of sight are 1° of
-// arc.
+// A point moved along the arc is still on the arc, but its place is wrong: 10′ of direction are 1° of arc.
 TEST(VisitCheck, PrefersThePlaceThatKeepsTheSpacing) {
   const Measurement measurement = noisyThereAndBack(4);
   Sighting sighting = measurement.arcs[0].sightings[8];

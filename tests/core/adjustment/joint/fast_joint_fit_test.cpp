@@ -8,7 +8,7 @@
 #include "core/base/random_source.h"
 #include "tests/support/perfect_session.h"
 
-// Compares the fast adjustment with the general one, wherever it accepts.
+// Compares the fast adjustment with the general one for all measurements that the fast one accepts.
 
 namespace alidade {
 namespace {

@@ -69,8 +69,8 @@ TEST(JointFit, ConvergesFromPoorStarts) {
     }
 }
 
-// Readings that are not finite determine neither a minimum nor any value, nor do two places for the three
-// unknowns of an arc.
+// Readings that are not finite determine neither a minimum nor any value. Two places do not determine the
+// three unknowns of an arc.
 TEST(JointFit, SaysWhereItsEquationsHaveLostTheirRank) {
   Measurement measurement = test::paperMeasurement();
   measurement.arcs.resize(1);
@@ -230,9 +230,9 @@ TEST(JointFit, FindsTheJumpOfAKnockedTripod) {
   }
 }
 
-// Readings without noise, with a knock from the given row on after which the circles read 30″ and, on the
-// zenith circle, 20″ more: with the step there, residuals vanish and the step is found. 1e-6 of χ² is the
-// convergence limit.
+// Readings without noise. The tripod is knocked before the given row; afterwards the circles read 30″ more
+// and, on the zenith circle, 20″ more. With a jump at this row, residuals vanish and the jump is found. 1e-6
+// of χ² is the convergence limit.
 TEST(JointFit, StepActsFromTheNamedRowOn) {
   Measurement measurement = test::usualMeasurement();
   for (const int axisDeg : {0, 180})

@@ -99,7 +99,7 @@ TEST(JointProblem, PerfectReadingsLeaveNothing) {
   }
 }
 
-// The state counts from the prior values: a radius of 400 mm, a term of 1e-5.
+// The state holds differences from the prior values: a radius of 400 mm, a term of 1e-5.
 TEST(JointProblem, StartsAtTheCirclesAndTermsGiven) {
   Measurement measurement = test::trialMeasurement("two-face");
   measurement.radiusModel = RadiusModel::Known;

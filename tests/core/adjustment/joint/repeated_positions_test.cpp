@@ -133,7 +133,7 @@ TEST(RepeatedPositions, CanBeFittedApart) {
   EXPECT_FALSE(fitJointlyFast(measurement, starts)) << "they have a centre in common";
 }
 
-// Every arc with a shared centre has the derivatives of its readings with respect to it.
+// The readings of all arcs that share a centre have derivatives with respect to it.
 TEST(RepeatedPositions, AllHangOnTheSharedUnknowns) {
   const Measurement measurement = measuredAgain();
   const SessionFit fit = fitSession(measurement);

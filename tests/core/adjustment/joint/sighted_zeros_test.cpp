@@ -111,8 +111,8 @@ TEST(SightedZeros, LeaveTheRowsWhereTheyAre) {
     ASSERT_EQ(closed.arcs[arc].sightings.size(), read.arcs[arc].sightings.size() + 4);
     for (std::size_t i = 0; i < read.arcs[arc].sightings.size(); ++i)
       EXPECT_EQ(closed.arcs[arc].sightings[i].row, read.arcs[arc].sightings[i].row);
-    // Each zero has two sightings before its rows and two after them, all at different moments from those of
-    // another.
+    // Each position has two sightings of the zero before its rows and two after them, all at different
+    // moments.
     const ArcMeasurement& own = read.arcs[arc];
     EXPECT_LT(own.zeroSightings[1].order, own.sightings.front().order);
     EXPECT_GT(own.zeroSightings[2].order, own.sightings.back().order);

@@ -66,9 +66,9 @@ TEST(ZeroSightings, AreOfTheOneForwardModel) {
   EXPECT_LT(centresOff(fit, full.truth), 1e-4) << "a zero in face 1 alone would put them off by 0.5 mm";
 }
 
-// A drift does not change Δd if the zero of each position is sighted next to its first row, since both
-// positions are then equally delayed. It does not either if the zero is sighted before and after the rows.
-// One zero for both would leave L D/4.
+// If the zero of each position is sighted next to its first row, a drift does not change Δd: both positions
+// are equally delayed. The same holds if the zero is sighted before and after the rows. One zero for both
+// positions would leave L D/4.
 TEST(ZeroSightings, BeforeAndAfterTakeADriftOut) {
   const double drift = Angle::fromArcseconds(30).radians();
   const auto movedBy = [&](bool inFull) {
@@ -118,7 +118,7 @@ TEST(ZeroSightings, CountAsTheyScatter) {
   EXPECT_NEAR(shareOfZeros(noisy(3 * s0)) / asStated, 3 * s0, 1e-4 * s0);
 }
 
-// The same with a larger noise, as assumed by the diagnosis.
+// As above, with a larger noise that the diagnosis assumes.
 TEST(ZeroSightings, ScatterAsTheNoiseIsTakenFor) {
   for (const double scatter : {1.0, 2.0, 5.0}) {
     const Measurement before = scattering(scatter, true), after = withNoise(before, 3);

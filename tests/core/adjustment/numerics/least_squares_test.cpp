@@ -42,7 +42,7 @@ OneUnknown parabola() {
   return {.residual = [](double x) { return x * x - 9; }, .derivative = [](double x) { return 2 * x; }};
 }
 
-// Damped by d, each step of a linear problem leaves d/(1 + d) of the way: 1e-3 of it, then 1e-4, ….
+// With the damping d, each step of a linear problem leaves d/(1 + d) of the way: 1e-3 of it, then 1e-4, ….
 TEST(LeastSquares, TakesTheDampedStepsOfALine) {
   const OneUnknown problem = line();
   const auto one = minimise(problem, 12.0, {.maximumIterations = 1, .tolerance = 0, .firstDamping = 1e-3});
@@ -101,7 +101,7 @@ TEST(LeastSquares, SaysThatNoStepLowersChiSquare) {
   EXPECT_EQ(found.iterations, 6);  // one for each damping from 1e-3 to 1e2
 }
 
-// The parabola's other root is beyond the wall, and so is the undamped step.
+// The other root of the parabola is beyond the wall, and the undamped step would lead there.
 TEST(LeastSquares, StopsShortOfAWall) {
   OneUnknown problem = parabola();
   problem.wall = 0;

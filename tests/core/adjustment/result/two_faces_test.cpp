@@ -120,8 +120,8 @@ TEST(TwoFaces, NeedBothFacesOfOneVisit) {
   EXPECT_FALSE(compareFaces(measurement));
 }
 
-// Collimation and index of the independent ray tracer, whose collimation has the opposite sign; zero without
-// them. Within 4 σ.
+// Collimation and index of the independent ray tracer, whose collimation has the opposite sign. Sessions
+// without these errors give zero. Tolerance: 4 σ.
 TEST(TwoFaces, TellTheRayTracersInstrument) {
   const std::map<std::string, Errors> counts = {
       {"none", {}}, {"collimation", {-1, 0, 0}}, {"vertical_index", {0, 0, 1}}};

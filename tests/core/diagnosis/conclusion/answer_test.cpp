@@ -46,8 +46,8 @@ TEST(Answer, KeepsACertainCauseBesideAnUnknownOne) {
   EXPECT_GE(covered, 14);
 }
 
-// One pass in one face hardly separates a trunnion tilt from vertical drift and a warped plane, whatever else
-// is found. With a coverage of 95 %, fewer than 32 of 40 have a probability of 4e-4.
+// One pass in one face hardly separates a trunnion tilt from a vertical drift and a warped plane, even if
+// another cause is found. With a coverage of 95 %, fewer than 32 of 40 have a probability of 4e-4.
 TEST(Answer, AveragesOverWhatLooksLikeOneOfSeveralCauses) {
   int covered = 0, averaged = 0;
   constexpr int sessions = 40;

@@ -82,9 +82,9 @@ Truth misreadBy(double arcseconds) {
   return truth;
 }
 
-// After least squares an error e of one reading leaves r e there, with its redundancy r, and r (1 − r) e² in
-// the squares of all others. Its own share is therefore r, at least 0.7 with two faces and a slider. The
-// other face of the same visit has most of the rest.
+// After least squares, an error e of a reading with redundancy r leaves the residual r e in this reading. All
+// other squares together contain r (1 − r) e². The share of the reading is therefore r, at least 0.7 with two
+// faces and a slider. The other face of the visit has most of the rest.
 TEST(Location, FindsTheCellThatIsMisread) {
   const std::vector<GapShare> where = whereOf(*protocolByName("full"), misreadBy(120));
   EXPECT_GT(shareOf(where, "frame", "readings"), 0.95);

@@ -27,7 +27,7 @@ Truth foreign(Kind kind, double size, double first, double second, std::uint64_t
   return truth;
 }
 
-/// Effects of no catalogue; the last two beside one of the catalogue.
+/// Sessions with uncatalogued effects; the last two also have a catalogued effect.
 std::vector<Spoilt> spoiltSessions() {
   std::vector<Spoilt> all{{"dent", foreign(Kind::LocalDent, -0.5, 70, 11, 5)},
                           {"settling", foreign(Kind::Settling, 40, 0.15, 0, 6)},
@@ -45,7 +45,7 @@ Diagnosis diagnosisOf(const Truth& truth, std::uint64_t seed) {
   return *diagnose(*examine(*simulate(*protocolByName("full"), truth, seed)).measurement);
 }
 
-// The noise of 2″ in 272 readings, less some twenty unknowns, has an rms within 1.6 … 2.2″ in 99.9 %.
+// With 2″ of noise, 272 readings minus some twenty unknowns have an rms of 1.6 … 2.2″ in 99.9 % of cases.
 TEST(WithForms, ShrinkTheGapToItsNoise) {
   for (const auto& [name, truth] : spoiltSessions()) {
     const Diagnosis diagnosis = diagnosisOf(truth, 12);
@@ -56,13 +56,13 @@ TEST(WithForms, ShrinkTheGapToItsNoise) {
     EXPECT_LT(diagnosis.steps.back().size.rms, 2.2) << name;
     EXPECT_GT(diagnosis.steps.back().size.rms, 1.6) << name;
     EXPECT_EQ(diagnosis.after.rms, diagnosis.steps.back().size.rms) << name;
-    // The closed model's shrinkage against the session's own: what the closures take up differs.
+    // The shrinkage is that of the closed model; in the session's own model, the closures absorb less.
     EXPECT_NEAR(diagnosis.shrink.inSample, 1 - diagnosis.after.rms / diagnosis.gap.rms, 0.1) << name;
     EXPECT_EQ(diagnosis.shrink.heldOut, diagnosis.forms.front().shrink.heldOut) << name;
   }
 }
 
-// 3 σ: one of twelve lies beyond in 3 % of all such lists of sessions.
+// The tolerance is 3 σ. One of twelve sessions exceeds it with a probability of 3 %.
 TEST(WithForms, LeaveTheIntersectionRight) {
   for (const auto& [name, truth] : spoiltSessions()) {
     const Diagnosis diagnosis = diagnosisOf(truth, 21);
@@ -74,7 +74,7 @@ TEST(WithForms, LeaveTheIntersectionRight) {
   }
 }
 
-// What the readings count from is spoilt, too, where the form is of the circle or of time.
+// If the form belongs to a circle or to time, the pointing zeros contain the form, too.
 TEST(WithForms, TakeThePatternOffTheZeros) {
   const Truth truth = foreign(Kind::Settling, 60, 0.3, 0, 8);
   Session session = *simulate(*protocolByName("full"), truth, 8);
@@ -82,8 +82,8 @@ TEST(WithForms, TakeThePatternOffTheZeros) {
   const SessionFit fit = fitSession(measurement);
   const Inquiry inquiry = inquire(*modelOf(measurement, fit), {}, {});
   const auto readings = inquiry.leftover.readings();
-  // As much in every reading, zeros included, turns the orientation only: nothing changes where the rows
-  // count from their zeros.
+  // A constant in all horizontal readings, including zeros, only turns the orientation: rows relative to
+  // their zeros do not change.
   Eigen::VectorXd even(readings);
   for (Eigen::Index i = 0; i < readings; ++i) {
     const LinearReading& reading = inquiry.leftover.reading(i);

@@ -40,9 +40,9 @@ struct Unspoilt {
   }
 };
 
-/// The greatest difference between a form's columns and what `disturbed` reads more than `truth`, relative to
-/// the greatest reading. `constant`: of the carrier beside the form, mm or arcsec. Zeros and excluded
-/// readings do not count.
+/// The greatest difference between a form's columns and the readings of `disturbed` minus those of `truth`,
+/// relative to the greatest reading. `constant`: constant part of the carrier, mm or arcsec. Zeros and
+/// excluded readings do not count.
 double greatestError(const Truth& truth, const Truth& disturbed, const Form& form, const VectorXd& amplitudes,
                      double constant = 0) {
   const Unspoilt before(truth), after(disturbed);
@@ -66,7 +66,7 @@ Truth truthWith(const ForeignEffect& effect) {
   return truth;
 }
 
-// A fit that moves two places together must not take a column from amplitudes found before.
+// If a later fit merges two places, the columns must still have one place for each amplitude found before.
 TEST(FormColumns, AreOfThePlacesThatAFreeFormWasFoundWith) {
   const Unspoilt session(drawTruth(7));
   const Form form{.carrier = FormCarrier::Radial, .function = FormFunction::PerPlace, .of = FormArgument::S};
@@ -83,7 +83,7 @@ TEST(FormColumns, AreOfThePlacesThatAFreeFormWasFoundWith) {
   EXPECT_EQ(formColumns(session.readings, form, places), formColumns(session.readings, form));
 }
 
-// The simulator's forward model read with and without the effect: differences against the derivatives.
+// Compares the columns (derivatives) with differences of the forward model with and without the effect.
 TEST(FormColumns, AreWhatTheForwardModelReads) {
   const Truth truth = drawTruth(7);
   Form dent{.carrier = FormCarrier::Radial, .function = FormFunction::Bump, .of = FormArgument::S};
@@ -102,7 +102,7 @@ TEST(FormColumns, AreWhatTheForwardModelReads) {
             1e-3);
 
   Form circle{.carrier = FormCarrier::Horizontal, .of = FormArgument::HorizontalCircle, .order = 5};
-  // Rows count from the zero as read, which has the same error.
+  // Rows count from the zero as read, which has the error of the circle at the zero.
   const double zero = Unspoilt(truth).model.measurement->arcs[0].zeroHorizontal.radians();
   EXPECT_LT(greatestError(truth, truthWith({Kind::CirclePeriods, 20, 5, 0}), circle, Eigen::Vector2d(0, 20),
                           -20 * std::sin(5 * zero)),

@@ -29,7 +29,7 @@ double truthAt(double s) {
   return depth * std::exp(-0.5 * std::pow((s - place) / width, 2));
 }
 
-// The truth that was simulated, which is no part of what was computed. σ of both circles is 2″ at 2.4 m.
+// Compares with the simulated truth, which the fit does not know. σ of both circles is 2″ at 2.4 m.
 TEST(FormTrace, EachSightingSaysWhatTheDentIsThere) {
   const FoundForm found = dent();
   constexpr std::size_t rows = 136;
@@ -42,7 +42,7 @@ TEST(FormTrace, EachSightingSaysWhatTheDentIsThere) {
     after += point.after * point.after;
     heldOut += point.heldOut * point.heldOut;
   }
-  // In all 136 rows: they scatter by the noise, less what the fit takes up, and by what the fit is off.
+  // The 136 rows scatter by the noise, minus the part absorbed by the fit, plus the error of the fit.
   EXPECT_NEAR(std::sqrt(before / rows), sigma, 0.3 * sigma);
   EXPECT_NEAR(std::sqrt(after / rows), sigma, 0.2 * sigma);
   EXPECT_GT(heldOut, after) << "predicted is never as good as fitted";
@@ -58,7 +58,7 @@ TEST(FormTrace, TheCurveIsTheDent) {
   EXPECT_NEAR(found.trace.curve.back()[0], 170, 0.2);
 }
 
-// |depth| exp(−½ z²) = σ gives z; its place and width are known to a few tenths of a degree.
+// z follows from |depth| exp(−½ z²) = σ. Place and width of the dent are known to a few tenths of a degree.
 TEST(FormTrace, TheModelHoldsBesideTheDent) {
   const FoundForm found = dent();
   const double reach = width * std::sqrt(2 * std::log(std::abs(depth) / found.trace.sigma));

@@ -70,8 +70,8 @@ TEST(SessionForms, FindADentWithItsPlaceAndWidth) {
   }
 }
 
-// Without its fifth row a random walk of 24 numbers takes up nearly all of Table I, and predicts readings
-// held out three times worse than nothing does. Every form that is told predicts.
+// Without its fifth row, a random walk of 24 numbers absorbs nearly all of Table I, but predicts held-out
+// readings three times worse than no form. Every reported form must predict.
 TEST(SessionForms, TellSomethingOfReadingsThatTookNoPart) {
   for (std::size_t row = 0; row < 17; ++row) {
     Session session = test::paperSession();
@@ -93,7 +93,7 @@ TEST(SessionForms, FindAWarp) {
   expectWithin3u(diagnosis.forms.front(), "amplitude_mm", 0.9);
 }
 
-// Over 19° of the circle neighbouring orders of one parity look alike: the right one is in the class.
+// Over 19° of the circle, neighbouring orders of equal parity are look-alikes; the true one is listed.
 TEST(SessionForms, TellWhichOrdersOfACircleLookAlike) {
   Truth truth = drawTruth(4);
   truth.foreign = ForeignEffect{Kind::CirclePeriods, 40, 7, 50};
@@ -116,7 +116,7 @@ TEST(SessionForms, AreNoneInCleanSessions) {
       EXPECT_TRUE(diagnosisOf(drawTruth(seed), seed, protocol).forms.empty()) << protocol << seed;
 }
 
-// An ellipticity that the diagnosis may not consider is a second harmonic.
+// If the diagnosis may not consider an ellipticity, it reports a second harmonic as a form.
 TEST(SessionForms, TakeThePlaceOfAnEffectThatIsLeftOut) {
   Truth truth = drawTruth(6);
   truth.effects = {{ErrorTerm::EllipticityCosine, 0.4}, {ErrorTerm::EllipticitySine, 0.2}};

@@ -36,7 +36,7 @@ TEST(EveryEffect, HasThoseOfTheSliderWhereItIsRead) {
   EXPECT_TRUE(has(everyEffect(test::trialMeasurement("full")), ErrorTerm::SliderSine));
 }
 
-// A term that is already in the model keeps its width if that is wider or the session's own.
+// A term that is already in the model keeps its width if this width is larger, or is the session's own.
 TEST(EveryEffect, NarrowsNothingDown) {
   Measurement measurement = test::trialMeasurement("two-face");
   measurement.effects = {"collimation"};

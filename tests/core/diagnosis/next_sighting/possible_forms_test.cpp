@@ -45,8 +45,8 @@ Measurement readWith(std::optional<FormHarmonic> harmonic) {
   return *session.measurement();
 }
 
-/// The readings of two ray-traced sessions, with and without a harmonic of the radius, differ by its columns:
-/// to a hundredth of σ for 0.02 mm, which moves a reading by 1 σ.
+/// The readings of two ray-traced sessions, with and without a harmonic of the radius, differ by the columns
+/// of the harmonic. 0.02 mm move a reading by 1 σ; the tolerance is a hundredth of σ.
 TEST(PossibleForms, ChangeTheReadingsAsTheSimulatorDoes) {
   constexpr double cosine = 0.02, sine = -0.015;  // mm
   const Measurement without = readWith({}),

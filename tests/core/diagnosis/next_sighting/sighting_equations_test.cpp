@@ -7,7 +7,7 @@ namespace {
 
 using Eigen::MatrixXd, Eigen::VectorXd;
 
-/// Normal equations of rows with an arc angle of no prior knowledge, eliminated by the Schur complement.
+/// Normal equations of rows after their arc angle, without prior knowledge, is eliminated (Schur complement).
 MatrixXd eliminated(const MatrixXd& rows, const VectorXd& along) {
   const VectorXd mixed = rows.transpose() * along;
   return rows.transpose() * rows - mixed * mixed.transpose() / along.squaredNorm();

@@ -24,7 +24,7 @@ MatrixXd drawn(RandomSource& random, Index rows, Index columns) {
   return matrix;
 }
 
-/// Two unknowns, a cause of two weights and one of a single weight, of one width each.
+/// Two unknowns, a cause with two weights and a cause with one weight; each cause has one prior width.
 struct Case {
   std::vector<Width> one = evenly({0.7}), other = evenly({2});
   SightingEquations equations;
@@ -37,7 +37,7 @@ struct Case {
     equations.priorResiduals = VectorXd::Zero(2);
     equations.hypotheses = {{"one", 0, 2, &one, 0.3}, {"other", 2, 1, &other, 0.1}};
     equations.priorOdds = 0.4 + noise_policy::odds;
-    // Readings of nothing: unknowns by their prior, and noise.
+    // Readings without a cause: the unknowns follow their prior, the rest is noise.
     equations.residual = drawn(random, 9, 1) +
                          equations.taken.unknowns * Eigen::Vector2d(5 * random.normal(), 2 * random.normal());
   }
@@ -73,8 +73,8 @@ TEST(WeighedCauses, HaveTheOddsOfTheDenseNormalDensities) {
               0.1 * std::exp(logDensity(y, other) - logDensity(y, nothing)), 1e-9);
 }
 
-/// The cause that is there, of 4 and −3 plausible sizes, has a prior about its estimate, as wide as it is
-/// large.
+/// The simulated cause, of 4 and −3 plausible sizes, has a prior about its estimate that is as wide as the
+/// cause is large.
 TEST(WeighedCauses, WithACauseHaveTheOddsOfTheDenseNormalDensities) {
   Case toy(6);
   const MatrixXd& columns = toy.equations.taken.causes;
@@ -150,7 +150,7 @@ TEST(WeighedCauses, PredictTheNextReadingsAsTheJointDistributionDoes) {
   }
 }
 
-/// A Bayes factor has the mean 1 under nothing; by Markov it then exceeds 20 in at most one of 20 cases.
+/// Without a cause, a Bayes factor has the mean 1. By Markov it exceeds 20 in at most one of 20 cases.
 TEST(WeighedCauses, GiveEvidenceAgainstNothingThatIsAMartingale) {
   constexpr int count = 4000;
   int exceeds = 0;

@@ -38,7 +38,7 @@ MatrixXd below(const MatrixXd& one, const MatrixXd& other) {
   return all;
 }
 
-/// The same with the estimated terms of the model eliminated, including their prior knowledge.
+/// The visible parts with the estimated terms of the model eliminated, including their prior knowledge.
 MatrixXd withoutEstimated(const MatrixXd& columns, const std::vector<EstimatedTerm>& estimated) {
   const Index count = std::ssize(estimated), rows = columns.rows();
   if (count == 0) return columns;

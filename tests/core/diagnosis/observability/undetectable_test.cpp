@@ -41,9 +41,9 @@ class Undetectable : public ::testing::TestWithParam<const char*> {
   }
 };
 
-// The reference for visibility and change of Δd are sessions that contain the effect. Without slider readings
-// a plane tilt is visible to second order only, and differs between both signs. Third-order terms are 3 % and
-// 0.002 σ. The influence is of first order: the second order of 0.3° is some R²/L tan² 0.3° = 2 µm.
+// The references for visibility and change of Δd are sessions that contain the effect. Without slider
+// readings, a plane tilt is visible to second order only, and its two signs differ. Third-order terms are 3 %
+// and 0.002 σ. The influence is of first order: the second order of 0.3° is some R²/L tan² 0.3° = 2 µm.
 TEST_P(Undetectable, EffectsShowAndMoveTheIntersectionAsSessionsThatHoldThem) {
   const double clean = intersectionOf(*model.measurement);
   for (const char* id : {"plane_tilt", "horizontal_circle_eccentricity", "vertical_drift", "plane_warp"}) {

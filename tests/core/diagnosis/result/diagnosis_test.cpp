@@ -118,7 +118,7 @@ TEST(DiagnosisResult, HoldsNothingBeyondWhereAFitSaysTheSame) {
                 1.01 * fitted.expanded);
     }
   }
-  // Every gap of no catalogue among the trials has a form.
+  // Every uncatalogued gap among the trials has a form.
   for (const Beyond beyond : {Beyond::Nothing, Beyond::LookAlikes, Beyond::Others})
     EXPECT_GE(times[static_cast<std::size_t>(beyond)], 2);
   EXPECT_EQ(times[static_cast<std::size_t>(Beyond::Pattern)], 0);

@@ -92,8 +92,8 @@ TEST(Inquiry, TellsAllReadingsThatAreFarOff) {
   EXPECT_GT(diagnosis.shrink.heldOut, 0.95);
 }
 
-// A horizontal reading 60° off: the fit with it is of a circle of some other size, at which equations blame
-// its neighbours. That row alone is named, and Δd is the same without it within a tenth of its u.
+// A horizontal reading is off by 60°. The fit with this reading has a wrong circle, at which the equations
+// blame neighbouring rows. Only this row is named, and Δd is that without the row within a tenth of its u.
 TEST(Inquiry, NamesTheOneReadingThatSpoilsTheWholeFit) {
   Protocol protocol = *protocolByName("paper");
   protocol.points = 9;

@@ -48,7 +48,7 @@ TEST(StationCheck, IsWhatIsWorkedByHand) {
   EXPECT_NEAR(check.index.value, 0, 1e-6);
 }
 
-/// The formula of the standard for calculation by hand, from the raw readings: Σ r² = Σ d² − Σⱼ(Σₖ d)²/t.
+/// The formula of ISO 17123-3 for manual calculation, from the raw readings: Σ r² = Σ d² − Σⱼ(Σₖ d)²/t.
 TEST(StationCheck, AgreesWithPlainLoops) {
   const CheckReadings readings = simulatedRounds(
       {.collimation = 4, .tilt = 3, .index = -6, .noise = 2, .circleStepDeg = 25.7}, fourTargets, 7, 11);
@@ -150,8 +150,8 @@ TEST(StationCheck, EvaluatesEachCircleByItself) {
   EXPECT_TRUE(std::isnan(zeniths.collimation.value));
 }
 
-/// Two targets, near and steep, far and level: a tilt of 140″ would have the same effect as the offset of
-/// 0.12 mm.
+/// Two targets, one near and steep, one far and level: a tilt of 140″ would have the same effect as an offset
+/// of 0.12 mm.
 TEST(StationCheck, StatesTheMoreUsualOfTwoCausesThatLookAlike) {
   const StationCheck check = checkOf(simulatedRounds(
       {.collimation = 8, .eccentricityMm = 0.117, .noise = 0.5}, {{20, 4, 2.4}, {140, 0, 60}}, 8, 4));

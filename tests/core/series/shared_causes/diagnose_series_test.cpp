@@ -177,7 +177,7 @@ std::vector<OwnEffect> ownEffect(const std::string& formula, const std::string& 
   return {{.id = "own", .formula = formula, .parameters = {{.name = "A", .plausible = plausible}}}};
 }
 
-// Each session shows some 3 σ of it, as an effect of the catalogue in the tests above.
+// Each session shows the own effect by some 3 σ, like the catalogued effect in the tests above.
 TEST(DiagnoseSeries, NamesAnOwnEffectThatSessionsAloneHardlyShow) {
   struct Case {
     const char *formula, *plausible;
@@ -241,7 +241,7 @@ TEST(DiagnoseSeries, OwnEffectsOfOneNameAreNotMixedUp) {
   }
 }
 
-// `without` of an effect that only some sessions have; one that no session has is refused.
+// `without` may name an own effect that only some sessions have. An effect that no session has is refused.
 TEST(DiagnoseSeries, LeavesOutAnOwnEffectThatOnlySomeHave) {
   const std::vector<SeriesSession> sessions =
       drawn({.count = 3, .guideway = sameGuideway, .own = [](std::size_t s) {
@@ -251,7 +251,7 @@ TEST(DiagnoseSeries, LeavesOutAnOwnEffectThatOnlySomeHave) {
   EXPECT_FALSE(diagnoseSeries(sessions, {.without = {"own:other"}}));
 }
 
-/// Sessions of the guideway G-1 with a radius of its own at a place.
+/// Sessions of the guideway G-1 with a dent at the place `atDeg` of each session.
 SeriesDiagnosis dented(std::size_t count, const std::function<double(std::size_t)>& atDeg,
                        double depth = 0.15) {
   return answerTo(
@@ -300,8 +300,8 @@ TEST(DiagnoseSeries, OffersNothingThatNoThreeSessionsShow) {
   EXPECT_THAT(clean.offered, IsEmpty());
 }
 
-// A fifth harmonic of the radius is uncatalogued, and sessions share it with their guideway, whether or not a
-// session shows it alone.
+// A fifth harmonic of the radius is uncatalogued. All sessions of the guideway share it, whether or not a
+// single session shows it.
 TEST(DiagnoseSeries, WhatNoCatalogueHoldsIsToldAsThat) {
   for (const double amplitude : {0.01, 0.14}) {
     const SeriesDiagnosis series = answerTo(drawn(ofOneGuideway(amplitude)));
@@ -411,7 +411,7 @@ TEST(DiagnoseSeries, NeitherOrderNorThreadsMatter) {
   }
 }
 
-// The knowledge from the others about a session's share is exactly as certain as they are.
+// A session's knowledge of its shared effect is exactly as certain as the result of the other sessions.
 TEST(DiagnoseSeries, ASessionKnowsWhatTheOthersSay) {
   const SeriesDiagnosis series = answerTo(drawn({.put = tiltTrunnion}));
   for (const SeriesMember& member : series.sessions) {

@@ -24,7 +24,7 @@
 #include "ui/panels/readings/readings_table.h"
 #include "ui/panels/window/page_tabs.h"
 
-// A session whose next sighting is the one that tells most.
+// A session in which the next sighting is the most informative one.
 
 namespace alidade::ui {
 namespace {
@@ -41,7 +41,7 @@ Protocol fivePlaces() {
           .faces = FacePlan::BothAtEachPlace};
 }
 
-/// Types the readings of a simulated session wherever F6 leads, as somebody at the instrument would.
+/// Types the readings of a simulated session where F6 puts the focus, like a person at the instrument.
 class ByWorth : public testing::Test {
  protected:
   ByWorth() : m_whole(*simulate(fivePlaces(), Truth(), 4)) {
