@@ -9,6 +9,7 @@
 #include "ui/charts/plotting/row_entries.h"
 #include "ui/text/position_text.h"
 #include "ui/text/quantity_text.h"
+#include "ui/text/visible_text.h"
 
 namespace alidade::ui {
 namespace {
@@ -287,6 +288,11 @@ QString ArcPlot::describe(const Mark& mark) const {
     text += u'\n' + tr("excluded from the fit");
   }
   return text;
+}
+
+QString ArcPlot::tipAt(const QPointF& scene) const {
+  const bool isInInset = m_inset->isVisible() && m_inset->contains(m_inset->mapFromScene(scene));
+  return isInInset ? tipText(m_inset->cutWarning()) : QString();
 }
 
 QString ArcPlot::summary() const {

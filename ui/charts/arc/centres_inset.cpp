@@ -9,7 +9,7 @@
 
 #include "core/base/round_numbers.h"
 #include "ui/charts/plotting/clipping.h"
-#include "ui/charts/plotting/two_lines.h"
+#include "ui/charts/plotting/wrapped_lines.h"
 #include "ui/text/entry_text.h"
 #include "ui/text/quantity_text.h"
 
@@ -29,6 +29,14 @@ const QString upperName = QStringLiteral("O1"), lowerName = QStringLiteral("O2")
 /// The largest half width or height that is shown for the ellipses and U, in units of half the distance of
 /// the centres.
 constexpr double largestShare = 4;
+
+/// The least height of the centres below a warning, in lines of text.
+constexpr double leastPicture = 3;
+
+/// Whether the lines contain the whole text, whose blanks may have become line ends.
+bool isWhole(const QStringList& lines, const QString& text) {
+  return lines.join(QString()).remove(u' ') == QString(text).remove(u' ');
+}
 
 /// Draws the part of a line inside the frame.
 void drawWithin(QPainter* painter, const QRectF& frame, const QPointF& from, const QPointF& to) {
@@ -360,22 +368,25 @@ QList<CentresInset::TitleLine> CentresInset::headlineLines(bool isMarked) const 
   return lines;
 }
 
-/// Adds the first warning and the name of the picture in small type if the picture leaves room. If there is
-/// no room for the warning, a sign marks the verdict instead.
+/// Adds the first warning, on as many lines as it needs and the picture leaves, and the name of the picture
+/// in small type. If there is no room for the warning, a sign marks the verdict instead.
 void CentresInset::layOutTitles() {
   const double line = QFontMetricsF(m_style.font).height();
   m_titles = headlineLines(false);
+  m_cutWarning.clear();
   double left = m_square.height() - titlesHeight() - 2.5 * line;
   const auto warning = std::ranges::find(m_headline.lines, true, &Headline::Line::isWarning);
   if (warning != m_headline.lines.end()) {
+    const QString text = qText(warning->text);
+    QStringList lines;
     if (left >= 6 * line) {
-      const QStringList lines =
-          inTwoLines(qText(warning->text), m_style.font, titleRoom(), left >= 7 * line ? 2 : 1);
+      lines = wrappedLines(text, m_style.font, titleRoom(), static_cast<int>(left / line - leastPicture));
       for (const QString& part : lines) m_titles.append({part, m_style.font, m_style.text});
       left -= (static_cast<double>(lines.size()) - 1) * line;
     } else {
       m_titles = headlineLines(true);
     }
+    if (!isWhole(lines, text)) m_cutWarning = text;
   }
   const QString name = InsetText::tr("Fitted centres, enlarged");
   if (left >= 8 * line && QFontMetricsF(m_style.font).horizontalAdvance(name) <= titleRoom())

@@ -46,6 +46,8 @@ class CentresInset : public QGraphicsItem {
   /// The lines that fit, from the top: the headline in large type, then the subject of the picture in small
   /// type. Empty for a small picture.
   const QList<TitleLine>& titleLines() const { return m_titles; }
+  /// The whole first warning of the headline if the lines show only a part of it or a sign; otherwise empty.
+  const QString& cutWarning() const { return m_cutWarning; }
 
   QRectF boundingRect() const override { return m_square; }
   void paint(QPainter* painter, const QStyleOptionGraphicsItem* option, QWidget* widget) override;
@@ -75,6 +77,7 @@ class CentresInset : public QGraphicsItem {
   std::optional<DrawnIntersection> m_intersection;
   QRectF m_square;
   QList<TitleLine> m_titles;
+  QString m_cutWarning;
   QRectF m_picture;          // area for the centres; the rest is text
   bool m_isCompact = false;  // too little room for a title
   double m_scale = 0;

@@ -3,7 +3,7 @@
 #include <QEvent>
 #include <algorithm>
 
-#include "ui/charts/plotting/two_lines.h"
+#include "ui/charts/plotting/wrapped_lines.h"
 #include "ui/settings/window_font.h"
 
 namespace alidade::ui {
@@ -56,7 +56,7 @@ int Caption::heightForWidth(int width) const {
 }
 
 QString Caption::fitted(int width) const {
-  return inTwoLines(m_sentence, font(), room(width), m_maySpread ? 2 : 1).join(u'\n');
+  return wrappedLines(m_sentence, font(), room(width), m_maySpread ? 2 : 1).join(u'\n');
 }
 
 void Caption::fit() {

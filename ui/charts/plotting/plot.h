@@ -67,6 +67,8 @@ class Plot : public QObject {
   const Mark* markAt(const QPointF& scene) const;
   /// The tool tip of one of `markers().marks()`; plain text.
   virtual QString describe(const Mark& mark) const = 0;
+  /// The tool tip at a place in the scene without a point; plain text, often empty.
+  virtual QString tipAt(const QPointF& /*scene*/) const { return {}; }
   /// The picture in a few words, for screen readers.
   virtual QString summary() const = 0;
   /// A sentence on what a good plot looks like.

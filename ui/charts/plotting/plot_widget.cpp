@@ -236,14 +236,13 @@ void PlotWidget::endDrag() {
 }
 
 void PlotWidget::hover(const QPoint& place, const QPoint& globalPlace) {
-  const Mark* mark = m_plot->markAt(m_view->mapToScene(place));
+  const QPointF scene = m_view->mapToScene(place);
+  const Mark* mark = m_plot->markAt(scene);
   m_view->viewport()->setCursor(mark ? Qt::PointingHandCursor : Qt::ArrowCursor);
-  if (mark) {
-    constexpr int untilTheMouseMoves = std::numeric_limits<int>::max();
-    QToolTip::showText(globalPlace, m_plot->describe(*mark), m_view->viewport(), {}, untilTheMouseMoves);
-  } else {
-    QToolTip::hideText();
-  }
+  const QString tip = mark ? m_plot->describe(*mark) : m_plot->tipAt(scene);
+  if (tip.isEmpty()) return QToolTip::hideText();
+  constexpr int untilTheMouseMoves = std::numeric_limits<int>::max();
+  QToolTip::showText(globalPlace, tip, m_view->viewport(), {}, untilTheMouseMoves);
 }
 
 void PlotWidget::activate(const QPoint& place) {

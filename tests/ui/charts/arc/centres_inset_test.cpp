@@ -228,6 +228,69 @@ TEST(CentresInset, ShowsAConditionOrThatThereIsOne) {
   EXPECT_GT(marked, 0);
 }
 
+Headline headlineWithLongWarning() {
+  Headline headline = headlineOfPaper();
+  headline.lines.push_back(
+      {.kind = Headline::Line::Kind::Gap,
+       .text = "Model and readings disagree; accepted only if the cause is plane offset (72 %), "
+               "indistinguishable here from trunnion tilt: the radii differ by 13 σ",
+       .isWarning = true});
+  return headline;
+}
+
+TEST(CentresInset, GivesAWarningTheLinesThatItNeeds) {
+  const Headline headline = headlineWithLongWarning();
+  const QString warning = QString::fromStdString(headline.lines.back().text);
+  int whole = 0, cut = 0, marked = 0;
+  qsizetype mostLines = 0;
+  for (int side = 60; side <= 600; side += 10) {
+    SCOPED_TRACE(side);
+    CentresInset inset;
+    inset.setStyle(insetStyle());
+    inset.setSquare(QRectF(0, 0, side, side));
+    inset.setIntersection(drawnIntersection());
+    inset.setHeadline(headline);
+    const auto* verdict = titleWith(inset, "Accepted");
+    if (!verdict) continue;
+    QStringList small;
+    for (const CentresInset::TitleLine& line : inset.titleLines())
+      if (line.colour == insetStyle().text && !line.font.bold()) small.append(line.text);
+    const bool isMarked = verdict->text.contains(u'⚠'), isCut = small.join(u' ') != warning;
+    EXPECT_EQ(small.isEmpty(), isMarked);
+    EXPECT_EQ(inset.cutWarning(), isCut ? warning : QString());
+    EXPECT_GT(inset.scale(), 0) << "the centres stay visible";
+    if (!isMarked && isCut) {
+      EXPECT_GE(small.size(), 3);
+      EXPECT_TRUE(small.back().endsWith(u'…'));
+    }
+    ++(isMarked ? marked : isCut ? cut : whole);
+    mostLines = std::max(mostLines, small.size());
+  }
+  EXPECT_GT(whole, 20);
+  EXPECT_GT(mostLines, 2);
+  EXPECT_GT(cut, 0);
+  EXPECT_GT(marked, 0);
+}
+
+TEST(CentresInset, HasACutWarningInTheToolTip) {
+  ArcPlot plot;
+  plot.setStyle(screenStyle(QApplication::palette(), QApplication::font()));
+  plot.setEvaluation(evaluate(paperSession()));
+  plot.setHeadline(headlineWithLongWarning());
+  int told = 0, silent = 0;
+  for (int side = 250; side <= 1200; side += 50) {
+    SCOPED_TRACE(side);
+    plot.arrange(QSizeF(side, side));
+    const QString tip = plot.tipAt(plot.inset().boundingRect().center());
+    EXPECT_EQ(tip.isEmpty(), plot.inset().cutWarning().isEmpty());
+    EXPECT_TRUE(tip.isEmpty() || tip.endsWith(QStringLiteral("13 σ"))) << tip.toStdString();
+    EXPECT_TRUE(plot.tipAt({1, 1}).isEmpty()) << "outside the inset";
+    ++(tip.isEmpty() ? silent : told);
+  }
+  EXPECT_GT(told, 0);
+  EXPECT_GT(silent, 0);
+}
+
 TEST(CentresInset, ShowsAProvisionalResultInAnotherColour) {
   CentresInset inset;
   inset.setStyle(insetStyle());
