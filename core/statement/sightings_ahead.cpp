@@ -38,17 +38,18 @@ std::string pointsText(Sightings sightings) {
   return listed(texts);
 }
 
-/// "5, 9 (2×), 4; face 2: 4, 9".
+/// "5, 9 (2×), 4; 4, 9 in face 2".
 std::string placesText(Sightings sightings) {
   std::string text;
   while (!sightings.empty()) {
     const Sightings ofFace = firstAlike(sightings, [](const NextSighting& next) { return next.face; });
     const std::string points = pointsText(ofFace);
     const int face = ofFace.front().face;
+    //: point numbers and their face: "4, 9 in face 2"
     if (text.empty())
-      text = face == 1 ? points : Phrase::of("%1: %2", faceName(face), points);
+      text = face == 1 ? points : Phrase::of("%1 in %2", points, faceName(face));
     else
-      text = Phrase::of("%1; %2: %3", text, faceName(face), points);
+      text = Phrase::of("%1; %2 in %3", text, points, faceName(face));
   }
   return text;
 }

@@ -7831,10 +7831,6 @@ Includes every catalogued effect, limited by these readings or by its plausible 
         <translation>与已知值不同的%1</translation>
     </message>
     <message>
-        <source>%1; %2: %3</source>
-        <translation>%1；%2：%3</translation>
-    </message>
-    <message>
         <source>sightings</source>
         <translation>照准次数</translation>
     </message>
@@ -7966,6 +7962,15 @@ Includes every catalogued effect, limited by these readings or by its plausible 
     <message>
         <source>More of these sightings will not help: none separates causes or reduces U.</source>
         <translation>继续这样照准已无帮助：既不能区分各种原因，也不能减小 U。</translation>
+    </message>
+    <message>
+        <source>%1 in %2</source>
+        <extracomment>point numbers and their face: &quot;4, 9 in face 2&quot;</extracomment>
+        <translation>%2 %1</translation>
+    </message>
+    <message>
+        <source>%1; %2 in %3</source>
+        <translation>%1；%3 %2</translation>
     </message>
 </context>
 <context>

@@ -21,8 +21,8 @@ TEST(SightingsAheadStatement, JoinsTheSightingsOfAPlace) {
       .isReached = true};
   const Statement statement = sightingsAheadStatement(ahead, 0.1);
   ASSERT_EQ(statement.rows.size(), 2u);
-  EXPECT_THAT(statement.rows[0].cells, ElementsAre("0°", "4", "6", "5, 9 (2×); face 2: 9"));
-  EXPECT_THAT(statement.rows[1].cells, ElementsAre("180°", "2", "3", "face 2: 1 (2×)"));
+  EXPECT_THAT(statement.rows[0].cells, ElementsAre("0°", "4", "6", "5, 9 (2×); 9 in face 2"));
+  EXPECT_THAT(statement.rows[1].cells, ElementsAre("180°", "2", "3", "1 (2×) in face 2"));
   EXPECT_THAT(
       statement.sentences,
       ElementsAre(HasSubstr("0.1 mm of Δd, whatever effect is present, needs further sightings: 6,")));
