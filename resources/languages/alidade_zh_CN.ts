@@ -8500,7 +8500,7 @@ as read</source>
         <translation>%1（默认）</translation>
     </message>
     <message>
-        <source>S/N %1</source>
+        <source>serial number %1</source>
         <translation>序列号 %1</translation>
     </message>
     <message>

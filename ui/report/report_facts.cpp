@@ -39,7 +39,8 @@ struct Provenance {
 QString nameAndSerial(const std::string& name, const std::string& serial) {
   QStringList parts;
   if (const QString text = given(name); !text.isEmpty()) parts.append(text);
-  if (const QString text = given(serial); !text.isEmpty()) parts.append(Report::tr("S/N %1").arg(text));
+  if (const QString text = given(serial); !text.isEmpty())
+    parts.append(Report::tr("serial number %1").arg(text));
   return listText(parts);
 }
 

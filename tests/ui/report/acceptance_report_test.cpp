@@ -422,10 +422,11 @@ TEST(AcceptanceReport, PrintsWhatALaboratoryStates) {
   const QString front = report.page(0).simplified();
   for (const char* text :
        {"Table I No. 2026-117", "Length Laboratory,", "Motion Simulators Ltd.,",
-        "Rotatable arc guideway, S/N A-7", "Theodolite T2, S/N 31415", "K-2026-0815 of 2026-01-20",
-        "national angle standard,", "steel tape 12, certificate L-88", "Hall 3, pillar 2", "2026-03-13",
-        "Agreed by: the customer, order 4711 of 2026-02-02", "20.4 °C; L and R0 without thermal correction",
-        "Operator: J. Doe, date", "Authorised by: R. Roe, date",
+        "Rotatable arc guideway, serial", "number A-7", "Theodolite T2, serial number 31415",
+        "K-2026-0815 of 2026-01-20", "national angle standard,", "steel tape 12, certificate L-88",
+        "Hall 3, pillar 2", "2026-03-13", "Agreed by: the customer, order 4711 of 2026-02-02",
+        "20.4 °C; L and R0 without thermal correction", "Operator: J. Doe, date",
+        "Authorised by: R. Roe, date",
         "The results relate only to the item measured. Not to be reproduced except in full."})
     EXPECT_TRUE(front.contains(QString::fromUtf8(text))) << text << "\n" << front.toStdString();
 }
