@@ -12,6 +12,7 @@
 #include <QStyleOption>
 #include <QTabWidget>
 #include <QToolTip>
+#include <cmath>
 
 #include "core/base/version.h"
 
@@ -194,10 +195,15 @@ QColor stateColor(const QPalette& palette, State state) {
   return palette.color(QPalette::PlaceholderText);
 }
 
+QColor mixed(const QColor& a, const QColor& b, double shareOfB) {
+  const auto mix = [&](int from, int to) {
+    return static_cast<int>(std::lround(from + (to - from) * shareOfB));
+  };
+  return {mix(a.red(), b.red()), mix(a.green(), b.green()), mix(a.blue(), b.blue())};
+}
+
 QColor stateTint(const QPalette& palette, State state) {
-  const QColor base = palette.color(QPalette::Base), color = stateColor(palette, state);
-  const auto mix = [](int a, int b) { return (a * 21 + b * 4) / 25; };
-  return {mix(base.red(), color.red()), mix(base.green(), color.green()), mix(base.blue(), color.blue())};
+  return mixed(palette.color(QPalette::Base), stateColor(palette, state), 0.16);
 }
 
 QIcon themeIcon(const QString& name) {

@@ -26,6 +26,9 @@ enum class State { Good, Bad, Open, Quiet };
 /// always accompany the colour.
 QColor stateColor(const QPalette& palette, State state);
 
+/// The opaque colour between `a` and `b`, with the share of `b` from 0 to 1.
+QColor mixed(const QColor& a, const QColor& b, double shareOfB);
+
 /// A faint background colour of a state.
 QColor stateTint(const QPalette& palette, State state);
 

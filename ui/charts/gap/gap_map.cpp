@@ -6,6 +6,7 @@
 
 #include "core/exchange/csv_text.h"
 #include "ui/charts/plotting/plot_style.h"
+#include "ui/settings/theme.h"
 #include "ui/text/entry_text.h"
 #include "ui/text/list_text.h"
 #include "ui/text/quantity_text.h"
@@ -70,13 +71,6 @@ double numberIn(const QString& name) {
     digits += character == QChar(0x2212) ? u'-' : character;
   }
   return digits.toDouble();
-}
-
-QColor mixed(const QColor& a, const QColor& b, double shareOfB) {
-  const auto mix = [&](int from, int to) {
-    return static_cast<int>(std::lround(from + (to - from) * shareOfB));
-  };
-  return {mix(a.red(), b.red()), mix(a.green(), b.green()), mix(a.blue(), b.blue())};
 }
 
 }  // namespace

@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "ui/settings/theme.h"
+
 namespace alidade::ui {
 namespace {
 
@@ -13,13 +15,6 @@ constexpr QRgb blue = 0xff0072b2;
 constexpr QRgb vermillion = 0xffd55e00;
 constexpr QRgb lightBlue = 0xff56b4e9;
 constexpr QRgb lightOrange = 0xffffa24d;
-
-QColor mixed(const QColor& a, const QColor& b, double shareOfB) {
-  const auto mix = [&](int from, int to) {
-    return static_cast<int>(std::lround(from + (to - from) * shareOfB));
-  };
-  return QColor(mix(a.red(), b.red()), mix(a.green(), b.green()), mix(a.blue(), b.blue()));
-}
 
 PlotStyle styleFor(const QColor& background, const QColor& text, const QFont& font) {
   const bool dark = background.lightnessF() < 0.5;
