@@ -30,7 +30,6 @@ namespace {
 /// Uses the full page without printer margins, like a PDF.
 void setPaper(QPrinter& printer, const ReportPaper& paper, const QString& title) {
   printer.setDocName(title);
-  printer.setFullPage(true);
   printer.setPageLayout(paper.layout());
 }
 
@@ -235,7 +234,7 @@ bool ReportFlow::printOf(const SharedGap& gap) {
   QPrinter printer(QPrinter::HighResolution);
   setPaper(printer, choice->paper, reportTitle(*translated->evaluation, source));
   if (!m_dialogs.askPrinter(printer)) return false;
-  printer.setFullPage(true);  // set again, since the user may have chosen another printer
+  printer.setFullPage(true);  // a newly chosen printer may have margins of its own
   const auto busy = m_dialogs.busy(tr("Printing the report…"));
   bool isStopped = false;
   options->goesOn = [&](double done) {

@@ -17,9 +17,11 @@ struct ReportPaper {
 
   bool operator==(const ReportPaper& other) const { return size == other.size && margins == other.margins; }
 
-  /// The layout for a full-page device.
+  /// The layout for the full page, since the report draws its own margins.
   QPageLayout layout() const {
-    return QPageLayout(QPageSize(size), QPageLayout::Portrait, QMarginsF(0, 0, 0, 0));
+    QPageLayout layout(QPageSize(size), QPageLayout::Portrait, QMarginsF(0, 0, 0, 0));
+    layout.setMode(QPageLayout::FullPageMode);
+    return layout;
   }
 };
 

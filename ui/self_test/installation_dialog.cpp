@@ -133,10 +133,9 @@ bool InstallationDialog::print() {
   QPrinter printer(QPrinter::HighResolution);
   const ReportPaper paper;
   printer.setDocName(windowTitle());
-  printer.setFullPage(true);
   printer.setPageLayout(paper.layout());
   if (!m_dialogs.askPrinter(printer)) return false;
-  printer.setFullPage(true);  // again, since the user may have chosen another printer
+  printer.setFullPage(true);  // a newly chosen printer may have margins of its own
   if (paintInstallationCheck(printer, *m_check, paper)) return true;
   m_dialogs.showProblem(windowTitle(),
                         tr("Alidade cannot print on “%1”: choose another printer, or save a PDF.")

@@ -4,6 +4,7 @@
 
 #include <QBuffer>
 #include <QPdfWriter>
+#include <QPrinter>
 #include <QTextLayout>
 
 #include "ui/report/report_paper.h"
@@ -50,6 +51,16 @@ QString words(qsizetype length, QChar letter) {
   QString text;
   for (int word = 1; text.size() < length; ++word) text += QString(word * 7 % 20 + 1, letter) + u' ';
   return text.left(length).trimmed();
+}
+
+TEST(ReportPaper, IsTheFullPageOfAPrinter) {
+  QPrinter printer(QPrinter::HighResolution);
+  printer.setOutputFormat(QPrinter::PdfFormat);
+  ASSERT_FALSE(printer.fullPage());
+  const ReportPaper paper{.size = QPageSize::A5};
+  EXPECT_TRUE(printer.setPageLayout(paper.layout()));
+  EXPECT_TRUE(printer.fullPage());
+  EXPECT_EQ(printer.pageLayout().pageSize().id(), QPageSize::A5);
 }
 
 TEST_F(ReportSheetTest, BreaksALongTextAsAShortOne) {
