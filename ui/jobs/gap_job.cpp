@@ -42,8 +42,10 @@ void GapJob::setWatched(bool watched) {
   if (watched && m_rest.isActive()) m_rest.start(0);
 }
 
-void GapJob::setWithReference(bool withReference) {
-  if (std::exchange(m_isWithReference, withReference) != withReference) m_work.stop();
+bool GapJob::setWithReference(bool withReference) {
+  if (std::exchange(m_isWithReference, withReference) == withReference) return false;
+  m_work.stop();
+  return true;
 }
 
 void GapJob::start() {

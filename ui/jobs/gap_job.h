@@ -26,9 +26,10 @@ class GapJob : public QObject {
   /// Drops the request, since the session has changed.
   void cancel();
   void setWatched(bool watched);
-  /// Sets whether later requests include the reference as evidence for the causes. Off at first.
+  /// Sets whether later requests include the reference as evidence for the causes. Off at first. Returns
+  /// false if it is so already.
   void setWithReference(bool withReference);
-  bool isIdle() const { return !m_wanted; }  ///< no diagnosis remains to be delivered
+  bool isIdle() const { return !m_wanted; }  ///< nothing remains to be delivered
   bool isAtWork() const { return m_work.isAtWork(); }
 
  signals:

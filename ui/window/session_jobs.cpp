@@ -91,7 +91,7 @@ void SessionJobs::clearGap() {
 }
 
 void SessionJobs::setWithReference(bool wanted) {
-  m_gap.setWithReference(wanted);
+  if (!m_gap.setWithReference(wanted)) return;
   m_completed.reset();
   ageGap();
   if (m_fit.isFitting()) return;  // the result of the fit will be diagnosed

@@ -22,7 +22,7 @@ class SessionJobs : public QObject {
   GapJob& gap() { return m_gap; }
   /// Evaluates the session now and after each change. Call after all views are connected.
   void start();
-  /// Weighs the causes with the reference as evidence, or without it.
+  /// Weighs the causes with the reference as evidence, or without it. Does nothing if they are weighed so.
   void setWithReference(bool wanted);
   /// Stops the search for misread readings and the diagnosis, whose results then stay unknown.
   void stop();

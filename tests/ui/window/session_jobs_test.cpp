@@ -17,6 +17,7 @@ class SessionJobsTest : public ::testing::Test {
                      [this](const Headline& headline) { shown.push_back(headline); });
     QObject::connect(&jobs.gap(), &GapJob::completed, [this] { ++diagnoses; });
     QObject::connect(&jobs, &SessionJobs::evaluated, [this] { ++evaluations; });
+    QObject::connect(&jobs, &SessionJobs::gapAged, [this] { ++aged; });
     jobs.start();
     EXPECT_TRUE(waitFor([this] { return diagnoses == 1; }));
     shown.clear();
@@ -34,7 +35,7 @@ class SessionJobsTest : public ::testing::Test {
   SessionDocument document;
   SessionJobs jobs{document};
   std::vector<Headline> shown;
-  int diagnoses = 0, evaluations = 0;
+  int diagnoses = 0, evaluations = 0, aged = 0;
 };
 
 TEST_F(SessionJobsTest, KeepsTheDiagnosisThroughEntriesThatEnterNoResult) {
@@ -53,6 +54,18 @@ TEST_F(SessionJobsTest, DiagnosesAnewAfterAnEntryOfTheMeasurement) {
   shown.clear();
   document.undoStack().undo();
   EXPECT_TRUE(waitFor([this] { return diagnoses == 3; })) << "only the last diagnosis is kept";
+}
+
+TEST_F(SessionJobsTest, OutdatesTheGapOnlyByOtherEvidence) {
+  jobs.setWithReference(false);
+  EXPECT_EQ(aged, 0) << "the causes are weighed so already";
+  EXPECT_TRUE(jobs.gap().isIdle());
+  jobs.setWithReference(true);
+  EXPECT_EQ(aged, 1);
+  EXPECT_TRUE(waitFor([this] { return diagnoses == 2; }));
+  jobs.setWithReference(true);
+  EXPECT_EQ(aged, 1);
+  EXPECT_TRUE(jobs.gap().isIdle());
 }
 
 }  // namespace
