@@ -138,6 +138,9 @@ class Expectation {
 /// Further rounds that are always considered: effects of time average out over both directions.
 constexpr int thereAndBack = 2;
 
+/// The largest number of further rounds that is considered.
+constexpr int mostRounds = 8;
+
 /// Factor that reduces the noise to show the remaining U. With a smaller factor, the sizes of undetectable
 /// effects differ too much from the others for a fit.
 constexpr double lessNoise = 0.1;
@@ -258,7 +261,7 @@ std::optional<Measurement> carriedOut(const Measurement& measurement, const Sess
 
 Outlook outlookOf(const Measurement& measurement, const SessionFit& fit, const Diagnosis* diagnosis,
                   const SightingProtocol& protocol, const ProtocolProgress& progress,
-                  const OutlookOptions& options, const std::stop_token& stop) {
+                  const std::stop_token& stop) {
   Outlook outlook;
   seeVerdict(outlook, measurement, fit, diagnosis);
   Expectation expectation(fit);
@@ -285,9 +288,9 @@ Outlook outlookOf(const Measurement& measurement, const SessionFit& fit, const D
     if (!addAhead(rounds)) return outlook;
   outlook.limit = withoutNoise(outlook.ahead.back().expanded, expectation.of(withLessNoise(*ahead)));
   const bool isWithinReach = outlook.limit && outlook.isEnough(*outlook.limit);
-  for (; outlook.needed && isWithinReach && rounds <= options.mostRounds && !outlook.roundsNeeded(); ++rounds)
+  for (; outlook.needed && isWithinReach && rounds <= mostRounds && !outlook.roundsNeeded(); ++rounds)
     if (!addAhead(rounds)) return outlook;
-  if (options.withInstead && outlook.needed && !outlook.roundsNeeded() && !stop.stop_requested())
+  if (outlook.needed && !outlook.roundsNeeded() && !stop.stop_requested())
     outlook.instead = plannedUncertainties(*plan, expectation.noise());
   return outlook;
 }

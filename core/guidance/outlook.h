@@ -31,8 +31,8 @@ struct RoundsAhead {
 
 struct Outlook {
   std::optional<ExpandedPair> now = {};  ///< U of the existing readings; absent without both positions
-  /// U after the rest of the protocol, then after 1, 2, … further rounds: two, and more if these lead to a
-  /// verdict. Empty if the completed protocol yields no Δd.
+  /// U after the rest of the protocol, then after 1, 2, … further rounds: two, and up to eight if these lead
+  /// to a verdict. Empty if the completed protocol yields no Δd.
   std::vector<RoundsAhead> ahead = {};
   std::optional<ExpandedPair> limit = {};  ///< U for infinitely many rounds: the part that more rounds
                                            ///< cannot reduce
@@ -52,16 +52,11 @@ struct Outlook {
   SessionEffort whole = {};  ///< effort of the complete protocol
 };
 
-struct OutlookOptions {
-  int mostRounds = 8;       ///< largest number of further rounds tried, ≥ 1; two always are
-  bool withInstead = true;  ///< fills `Outlook::instead`, which takes as long as all the rest
-};
-
 /// `fit` and `diagnosis` are those of the measurement. If `diagnosis` is null, Δd, fit only, replaces Δd,
 /// measured. On a stop request, returns early with fewer results.
 Outlook outlookOf(const Measurement& measurement, const SessionFit& fit, const Diagnosis* diagnosis,
                   const SightingProtocol& protocol, const ProtocolProgress& progress,
-                  const OutlookOptions& options = {}, const std::stop_token& stop = {});
+                  const std::stop_token& stop = {});
 
 /// The measurement after `rounds` further rounds beyond the complete protocol: its places on the arcs fitted
 /// so far, with readings free of errors. Absent before a pointing zero is known.

@@ -43,7 +43,7 @@ void OutlookJob::start() {
           found.ahead = sightingsAhead(measurement, guide.protocol, uncertainty, stop);
         else
           found.outlook = outlookOf(measurement, evaluation->fit, gap ? gap->found() : nullptr,
-                                    guide.protocol, guide.progress, {}, stop);
+                                    guide.protocol, guide.progress, stop);
         return found;
       },
       [evaluation](const std::string& reason) {

@@ -20,8 +20,8 @@ struct Known {
   explicit Known(Session read)
       : session(std::move(read)), measurement(*examine(session).measurement), fit(fitSession(measurement)) {}
 
-  Outlook outlook(const SightingProtocol& protocol, const OutlookOptions& options = {}) const {
-    return outlookOf(measurement, fit, nullptr, protocol, progressOf(session, protocol), options);
+  Outlook outlook(const SightingProtocol& protocol) const {
+    return outlookOf(measurement, fit, nullptr, protocol, progressOf(session, protocol));
   }
 };
 
@@ -51,7 +51,7 @@ TEST(Outlook, OfMoreRoundsGoesDownAsTheRootOfTheirNumber) {
   Protocol plan = test::plan(17, 10, 10, 1);
   Truth exact = onlyNoise();
   const Known known(*simulateWithoutNoise(plan, exact, 11));
-  const Outlook outlook = known.outlook(templateOf(plan), {.withInstead = false});
+  const Outlook outlook = known.outlook(templateOf(plan));
   ASSERT_EQ(outlook.ahead.size(), 3u);
   const double one = outlook.ahead[0].expanded.ofFit;
   for (const RoundsAhead& ahead : outlook.ahead)
@@ -71,7 +71,7 @@ TEST(Outlook, IsWhatFurtherRoundsComeTo) {
   for (int seed = 1; seed <= sessions; ++seed) {
     const Session whole = *simulate(plan, test::truth(), static_cast<std::uint64_t>(seed));
     const Known first(test::firstRounds(whole, 1)), all(whole);
-    const Outlook outlook = first.outlook(templateOf(planned), {.withInstead = false});
+    const Outlook outlook = first.outlook(templateOf(planned));
     foreseen += outlook.ahead.at(2).expanded.ofFit / sessions;
     come += all.fit.intersection->expanded / sessions;
   }
@@ -101,7 +101,7 @@ TEST(Outlook, AsMeasuredIsThatOfThePlan) {
   const Known known(session);
   const auto review = reviewPlan(known.measurement, known.fit);
   ASSERT_TRUE(review);
-  const Outlook outlook = known.outlook(templateOf(plan), {.withInstead = false});
+  const Outlook outlook = known.outlook(templateOf(plan));
   ASSERT_TRUE(outlook.now->asMeasured);
   EXPECT_NEAR(*outlook.now->asMeasured, review->attainable.front().expanded,
               1e-3 * review->attainable.front().expanded);
@@ -125,7 +125,7 @@ TEST(Outlook, SaysHowManyRoundsTheVerdictNeeds) {
   const Known bare(session);
   const SightingProtocol protocol = test::asSimulated(plan);
   const double delta = std::abs(bare.fit.intersection->value);
-  const Outlook free = bare.outlook(protocol, {.withInstead = false});
+  const Outlook free = bare.outlook(protocol);
   EXPECT_FALSE(free.needed);
   EXPECT_FALSE(free.roundsNeeded());
   const auto u = [&](std::size_t rounds) { return *free.ahead.at(rounds).expanded.asMeasured; };
@@ -160,7 +160,7 @@ TEST(Outlook, IsThereAsSoonAsAZeroIs) {
   const Protocol plan = test::plan(24, 5, 7, 2);
   const Session whole = *simulate(plan, test::truth(), 2);
   const Known known(test::cut(whole, 0, 0)), all(whole);
-  const Outlook outlook = known.outlook(templateOf(plan), {.withInstead = false});
+  const Outlook outlook = known.outlook(templateOf(plan));
   EXPECT_FALSE(outlook.now);
   ASSERT_FALSE(outlook.ahead.empty());
   // The outlook uses the stated noise, while the complete session estimates it with 92 degrees of freedom, to
@@ -177,8 +177,8 @@ TEST(Outlook, KeepsWhatTheDiagnosisFoundBeside) {
   const auto diagnosis = diagnose(known.measurement, known.fit);
   ASSERT_TRUE(diagnosis);
   const SightingProtocol protocol = templateOf(plan);
-  const Outlook outlook = outlookOf(known.measurement, known.fit, &*diagnosis, protocol,
-                                    progressOf(known.session, protocol), {.withInstead = false});
+  const Outlook outlook =
+      outlookOf(known.measurement, known.fit, &*diagnosis, protocol, progressOf(known.session, protocol));
   EXPECT_GE(*outlook.now->asMeasured, diagnosis->measured->estimate.expanded * 0.999);
   EXPECT_LE(*outlook.ahead.at(2).expanded.asMeasured, *outlook.now->asMeasured);
 }
