@@ -263,20 +263,11 @@ class Examiner : private ProblemReporter {
                    repeat,
                    zero->sightings,
                    zero->each,
-                   zeroElevation(zero->vertical)};
+                   zeroElevation(zero->vertical, m_measurement.verticalCircle).value_or(Angle())};
     }
     for (const std::size_t i : positionsAsTaken(m_session))
       if (arcs[i]) m_measurement.arcs.push_back(*std::move(arcs[i]));
     setMoments(m_measurement);
-  }
-
-  /// The elevation of a zero above the horizon; 0 if it exceeds 45°. Such a zero belongs to the other kind of
-  /// circle, or to one that does not count from the plumb line.
-  Angle zeroElevation(Angle vertical) const {
-    constexpr double steepest = 45;  // degrees
-    const bool isZenith = m_measurement.verticalCircle == VerticalCircle::Zenith;
-    const Angle elevation = wrapped(isZenith ? Angle::fromDegrees(90) - vertical : vertical);
-    return std::abs(elevation.degrees()) <= steepest ? elevation : Angle();
   }
 
   /// Examines the zeros; different zeros contradict a common one.

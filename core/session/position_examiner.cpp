@@ -146,13 +146,10 @@ class PositionExaminer : private ProblemReporter {
 
   /// Checks the elevation from the horizon, which differs from e if the zero is inclined.
   void checkSteepness(const ZeroDirection& zero, Angle e, const std::string& text, const Place& place) {
-    const Angle zeroUp = *m_circle == VerticalCircle::Zenith ? wrapped(Angle::fromDegrees(90) - zero.vertical)
-                                                             : wrapped(zero.vertical);
-    constexpr double steepestZero = 45;
-    const double degrees = std::abs((zeroUp + e).degrees());
-    if (std::abs(zeroUp.degrees()) > steepestZero || degrees < widestDegrees ||
-        std::abs(e.degrees()) >= widestDegrees)
-      return;
+    const auto zeroUp = zeroElevation(zero.vertical, *m_circle);
+    if (!zeroUp || std::abs(e.degrees()) >= widestDegrees) return;
+    const double degrees = std::abs((*zeroUp + e).degrees());
+    if (degrees < widestDegrees) return;
     report({Phrase::of("%1 is %2° away from the horizon, too steep for a sighting of the arc: check the "
                        "degrees and the face",
                        quotation(text), fixedText(degrees, 0))},

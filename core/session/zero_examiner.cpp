@@ -255,4 +255,10 @@ ExaminedZeros examineZeros(const Session& session, const std::optional<VerticalC
   return examined;
 }
 
+std::optional<Angle> zeroElevation(Angle vertical, VerticalCircle circle) {
+  const Angle elevation =
+      wrapped(circle == VerticalCircle::Zenith ? Angle::fromDegrees(90) - vertical : vertical);
+  return std::abs(elevation.degrees()) <= steepestZero ? std::optional(elevation) : std::nullopt;
+}
+
 }  // namespace alidade

@@ -39,4 +39,12 @@ struct ExaminedZeros {
 ExaminedZeros examineZeros(const Session& session, const std::optional<VerticalCircle>& circle,
                            PointingZeros kind, Angle sigmaHorizontal, Angle sigmaVertical);
 
+/// The largest angle between a zero and the horizon, in degrees: a steeper zero is nearer to the horizon of
+/// the other kind of vertical circle.
+inline constexpr double steepestZero = 45;
+
+/// The elevation of a zero above the horizon. Absent beyond `steepestZero`: the reading is of the other kind
+/// of circle, or of one that does not count from the plumb line.
+std::optional<Angle> zeroElevation(Angle vertical, VerticalCircle circle);
+
 }  // namespace alidade

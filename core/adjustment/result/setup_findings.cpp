@@ -10,6 +10,7 @@
 #include "core/base/angle_text.h"
 #include "core/observation/half_turn.h"
 #include "core/observation/visits.h"
+#include "core/session/zero_examiner.h"
 
 namespace alidade {
 
@@ -57,9 +58,8 @@ double fromHorizon(Angle vertical, VerticalCircle circle) {
 
 /// Reports a zero that is nearer to the horizon of the other kind of circle.
 void judgeVerticalCircle(std::vector<FitFinding>& findings, const Measurement& measurement) {
-  constexpr double halfWay = 45;
   for (const ArcMeasurement& arc : measurement.arcs)
-    if (fromHorizon(arc.zeroVertical, measurement.verticalCircle) > halfWay)
+    if (fromHorizon(arc.zeroVertical, measurement.verticalCircle) > steepestZero)
       findings.push_back(
           {Severity::Warning,
            Place{.position = arc.position, .reading = {}, .field = "pointing_zero.vertical"},

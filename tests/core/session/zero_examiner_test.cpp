@@ -164,5 +164,19 @@ TEST(ZeroExaminer, PoolsTheSightingsOfOneZero) {
   EXPECT_FALSE(examined(session, PointingZeros::Each).isOneOfSeveral);
 }
 
+TEST(ZeroElevation, IsUpFromTheHorizonOfItsOwnCircleOnly) {
+  const auto elevation = [](double vertical, VerticalCircle circle) {
+    return zeroElevation(Angle::fromDegrees(vertical), circle);
+  };
+  // 1e-12° is a hundred times the rounding of an angle of 90°.
+  EXPECT_NEAR(elevation(80, VerticalCircle::Zenith)->degrees(), 10, 1e-12);
+  EXPECT_NEAR(elevation(350, VerticalCircle::Elevation)->degrees(), -10, 1e-12);
+  EXPECT_TRUE(elevation(45.001, VerticalCircle::Zenith));
+  EXPECT_FALSE(elevation(44.999, VerticalCircle::Zenith));
+  EXPECT_TRUE(elevation(44.999, VerticalCircle::Elevation));
+  EXPECT_FALSE(elevation(90, VerticalCircle::Elevation)) << "a zenith angle";
+  EXPECT_FALSE(elevation(0, VerticalCircle::Zenith)) << "an elevation";
+}
+
 }  // namespace
 }  // namespace alidade
