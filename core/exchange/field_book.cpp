@@ -53,7 +53,12 @@ void FieldBook::note(const char* sentence, std::size_t line) {
   if (use.count++ == 0) use.firstLine = line;
 }
 
-void FieldBook::setAsideTail(const TextLines& lines) {
+void FieldBook::readLines(std::string_view text, const std::function<void(const TextLine&)>& readLine) {
+  TextLines lines(text);
+  while (const auto line = lines.next()) {
+    readLine(*line);
+    if (isFull(line->number)) break;
+  }
   if (const auto line = lines.tailLine())
     setAside(Phrase::of("content after the end of the file (^Z)"), *line);
 }

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <functional>
 #include <map>
 #include <string>
 #include <string_view>
@@ -19,6 +20,9 @@ class FieldBook {
  public:
   explicit FieldBook(const std::string& zeroPoint) : m_zeroPoint(upperCase(zeroPoint)) {}
 
+  /// Passes each line of the file to `readLine` until a limit is reached, and lists the content after the
+  /// end of the file, if there is any.
+  void readLines(std::string_view text, const std::function<void(const TextLine&)>& readLine);
   void take(const FieldMark& mark);
   /// Adds a sighting with the axis, round and zero of the preceding marks. True if it is of the pointing
   /// zero.
@@ -27,8 +31,6 @@ class FieldBook {
   void enter(RecordedSighting& sighting, const RowField& circle, ExactAngle angle, std::size_t column);
   /// Counts interpreted values for one remark: %1 in `sentence` is their number, %2 their first line.
   void note(const char* sentence, std::size_t line);
-  /// Lists the content after the end of the file, if there is any.
-  void setAsideTail(const TextLines& lines);
   void refuse(std::size_t line, std::size_t column, const std::string& what);
   /// Lists data that a session cannot hold, once for each kind.
   void setAside(const std::string& what, std::size_t line);

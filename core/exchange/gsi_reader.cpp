@@ -46,13 +46,10 @@ class GsiReader {
 
   Recording read(std::string_view text) {
     bool wide = false;
-    TextLines lines(text);
-    while (const auto line = lines.next()) {
-      wide = wide || line->text.starts_with('*');
-      readLine(*line);
-      if (m_book.isFull(line->number)) break;
-    }
-    m_book.setAsideTail(lines);
+    m_book.readLines(text, [&](const TextLine& line) {
+      wide = wide || line.text.starts_with('*');
+      readLine(line);
+    });
     return m_book.finish(wide ? "GSI-16" : "GSI-8");
   }
 

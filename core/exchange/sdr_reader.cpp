@@ -100,12 +100,7 @@ class SdrReader {
   explicit SdrReader(const std::string& zeroPoint) : m_book(zeroPoint) {}
 
   Recording read(std::string_view text) {
-    TextLines lines(text);
-    while (const auto line = lines.next()) {
-      readRecord(*line);
-      if (m_book.isFull(line->number)) break;
-    }
-    m_book.setAsideTail(lines);
+    m_book.readLines(text, [this](const TextLine& line) { readRecord(line); });
     refuseMeansAlone();
     return m_book.finish(m_is33 ? "SDR33" : "SDR2x");
   }

@@ -40,12 +40,7 @@ class ZeissRReader {
   explicit ZeissRReader(const std::string& zeroPoint) : m_book(zeroPoint) {}
 
   Recording read(std::string_view text) {
-    TextLines lines(text);
-    while (const auto line = lines.next()) {
-      readLine(*line);
-      if (m_book.isFull(line->number)) break;
-    }
-    m_book.setAsideTail(lines);
+    m_book.readLines(text, [this](const TextLine& line) { readLine(line); });
     return m_book.finish(m_isR5 ? "R5" : "R4");
   }
 
