@@ -17,7 +17,10 @@ namespace {
 
 using Eigen::MatrixXd, Eigen::VectorXd;
 
-constexpr double hardlyMoves = 1e-4;  // change of Δd by a plausible size, mm
+/// The least change of Δd, in mm, by a plausible size of an effect that could explain a difference: below, a
+/// thousand plausible sizes explain less than 0.1 mm. It is smaller than `negligibleInfluence`, since the
+/// size is free here.
+constexpr double leastExplaining = 1e-4;
 
 /// Among the weights that change Δd by `move` (mm), those with the smallest sum of two squares: the weights,
 /// in plausible sizes, and their visible trace, in σ. They are not finite if no weight changes Δd.
@@ -66,7 +69,7 @@ std::vector<Required> whatItWouldTake(const Inquiry& inquiry) {
     const bool isEligible = component.isEffect() || component.wrongZeroArc();
     if (!isEligible || component.isKnown() || component.response() == Response::AllOrNothing) continue;
     const VectorXd influence = component.wholeProducts(influences);
-    if (influence.norm() < hardlyMoves) continue;
+    if (influence.norm() < leastExplaining) continue;
     const VectorXd weights = leastThatMoves(component, influence, move);
     const VectorXd products = component.products(residual).head(weights.size());
     if (excludedBy(component, products, weights, noise) > thresholds.clearlyDifferent) continue;

@@ -19,7 +19,8 @@ struct DiagnosisThresholds {
   /// Share of a plausible or known size in the variance of an estimate from which the readings determine
   /// nothing: what is left for them has more than four times that size as its uncertainty.
   double ofPriorOnly = 0.95;
-  /// Influences on Δd below this limit, mm, are not reported: no tolerance of a guideway is that small.
+  /// Effects whose plausible size or known uncertainty changes Δd by less, mm, are not reported: no tolerance
+  /// of a guideway is that small.
   double negligibleInfluence = 1e-3;
   /// A larger probability of an unexplained gap leaves the verdict open. In 1000 simulated sessions, half of
   /// them with an uncatalogued effect, 508 had the verdict `NotInCatalogue`; 492 of these exceed the limit.
