@@ -219,10 +219,11 @@ std::vector<Line> headlineLines(const Measurement& measurement, const SessionFit
                                 const Diagnosis* diagnosis, const AcceptanceDecision* decision,
                                 const std::vector<Dependence>& dependences) {
   std::vector<Line> lines;
-  const auto warn = [&](Line::Kind kind, std::string text) {
-    if (!text.empty()) lines.push_back({.kind = kind, .text = std::move(text), .isWarning = true});
+  const auto warn = [&](Line::Kind kind, std::string text, bool isWarning = true) {
+    if (!text.empty()) lines.push_back({.kind = kind, .text = std::move(text), .isWarning = isWarning});
   };
-  const bool isJumpStated = decision && !decision->conditions.empty();
+  const bool isJumpStated = decision && !decision->conditions.empty(),
+             isOpen = decision && decision->verdict == Verdict::Undecided;
   const MeasuredIntersection* measured = diagnosis && diagnosis->measured ? &*diagnosis->measured : nullptr;
   warn(Line::Kind::Interval, intervalText(measurement, fit, estimateIn(fit, diagnosis), measured, decision));
   if (measured) lines.push_back(acrossLine(measurement, *measured));
@@ -231,7 +232,7 @@ std::vector<Line> headlineLines(const Measurement& measurement, const SessionFit
   warn(Line::Kind::Row, dependenceText(dependences));
   if (diagnosis)
     warn(Line::Kind::Undetectable,
-         undetectableText(*diagnosis, estimateIn(fit, diagnosis).expanded, isJumpStated));
+         undetectableText(*diagnosis, estimateIn(fit, diagnosis).expanded, isJumpStated), !isOpen);
   if (measurement.referenceIntersection)
     lines.push_back(referenceLine(measurement, fit, estimateIn(fit, diagnosis)));
   return lines;

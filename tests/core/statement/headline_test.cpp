@@ -2,8 +2,10 @@
 
 #include <gmock/gmock.h>
 
+#include <algorithm>
 #include <limits>
 #include <memory>
+#include <utility>
 
 #include "core/effects/cause_ids.h"
 #include "core/session/session_file.h"
@@ -158,6 +160,18 @@ TEST(Headline, CallsAJumpThatWasFoundNotUndetectable) {
   gap.diagnosis->causes = {causeOf(jumpId, 0.99)};
   EXPECT_THAT(headlineOf(gap).line(LineKind::Undetectable),
               HasSubstr("a further jump of the orientation ± 0.40 mm"));
+}
+
+TEST(Headline, WarnsOfAnUndetectableEffectUnlessTheVerdictIsOpenAnyway) {
+  for (const auto& [tolerance, isWarning] :
+       {std::pair("2.5", true), std::pair("0.5", true), std::pair("", true), std::pair("1.3", false)}) {
+    Gap gap = gapWith(evaluationOf(withTolerance(tolerance)), 1.3);
+    gap.diagnosis->undetectable = {{.effect = jumpId, .influence = 0.4}};
+    const Headline headline = headlineOf(gap);
+    const auto line = std::ranges::find(headline.lines, LineKind::Undetectable, &Headline::Line::kind);
+    ASSERT_NE(line, headline.lines.end());
+    EXPECT_EQ(line->isWarning, isWarning) << headline.verdict;
+  }
 }
 
 // The fit only says 1.31 ± 0.21 mm.
