@@ -27,7 +27,6 @@ Leftover::Leftover(Linearised equations, const std::vector<EstimatedTerm>& inMod
   if (rank > 0) m_basis = qr.householderQ() * MatrixXd::Identity(base.rows(), rank);
   m_observed = outsideArcAngles(m_observed);
   m_residual = visible(m_observed);
-  m_residualByTerms = productsOfTerms(m_residual);
   m_redundancy = VectorXd::Ones(readings());
   for (Index i = 0; i < readings(); ++i)
     m_redundancy[i] =

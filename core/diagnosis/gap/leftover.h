@@ -32,8 +32,6 @@ class Leftover {
     return m_equations.readings[static_cast<std::size_t>(i)];
   }
   const Eigen::VectorXd& residual() const { return m_residual; }
-  /// Inner products of the leftover with the terms, as `productsOfTerms` returns them.
-  const Eigen::VectorXd& residualByTerms() const { return m_residualByTerms; }
   double chiSquare() const { return m_residual.squaredNorm(); }
   /// The equations that the leftover was computed from.
   const Linearised& equations() const { return m_equations; }
@@ -73,7 +71,7 @@ class Leftover {
   Linearised m_equations;
   Eigen::VectorXd m_along;                 ///< derivative of each reading by its arc angle, normalised
   std::vector<Eigen::Index> m_endOfVisit;  ///< index after the last reading of each visit
-  Eigen::VectorXd m_observed, m_residual, m_residualByTerms, m_redundancy;
+  Eigen::VectorXd m_observed, m_residual, m_redundancy;
   Eigen::MatrixXd m_basis;
   int m_degreesOfFreedom = 0;
 
