@@ -378,10 +378,4 @@ Recording readTable(std::string_view text, const TableLayout& layout, const std:
   return CsvReader(layout, zeroPoint).read(plain ? std::string_view(*plain) : text);
 }
 
-Recording readCsv(std::string_view text, AngleUnit unit, const std::string& zeroPoint) {
-  TableLayout layout;
-  layout.unit = unit;
-  return readTable(text, layout, zeroPoint);
-}
-
 }  // namespace alidade

@@ -34,8 +34,4 @@ namespace alidade {
 /// readings of both circles.
 Recording readTable(std::string_view text, const TableLayout& layout, const std::string& zeroPoint = {});
 
-/// Reads a table whose first row names the columns.
-Recording readCsv(std::string_view text, AngleUnit unit = AngleUnit::Unstated,
-                  const std::string& zeroPoint = {});
-
 }  // namespace alidade

@@ -6,7 +6,7 @@
 namespace alidade::fuzz {
 
 void throwCsv(std::string_view bytes) {
-  if (const Result<std::string> text = utf8Text(bytes)) checkPlaces(readCsv(*text), *text);
+  if (const Result<std::string> text = utf8Text(bytes)) checkPlaces(readTable(*text, {}), *text);
   importBytes(bytes, {});
   importBytes(bytes, {.unit = AngleUnit::Dms, .zeroPoint = "P1", .turnedAtLine = 3});
 }

@@ -21,7 +21,7 @@ using ::testing::IsEmpty;
 using ::testing::Not;
 
 std::string joinedOf(const std::string& text) {
-  const Recording recording = readCsv(text);
+  const Recording recording = readTable(text, {});
   if (!recording.problems.empty()) return recording.problems.front().text();
   if (recording.sightings.empty()) return "nothing";
   return recording.sightings[0].row.horizontal + " / " + recording.sightings[0].row.vertical;
@@ -81,13 +81,13 @@ TEST(AngleColumns, LoseNoPart) {
 }
 
 TEST(AngleColumns, OfAnUnreadableRowAreNoHeading) {
-  const Recording recording = readCsv("target,face,Hz,V\nP,I,107°12'61\",88°47'31\"\n");
+  const Recording recording = readTable("target,face,Hz,V\nP,I,107°12'61\",88°47'31\"\n", {});
   EXPECT_EQ(recording.sightings.size(), 1U) << "whose angle is refused where its rules are";
 }
 
 TEST(AngleColumns, CarrySixtyAndTellIt) {
   const Recording recording =
-      readCsv("Pt,hz deg,hz min,hz sec,v deg,v min,v sec\n1,359,59,60,86,60,7\n2,107,12,60,88,47,31\n");
+      readTable("Pt,hz deg,hz min,hz sec,v deg,v min,v sec\n1,359,59,60,86,60,7\n2,107,12,60,88,47,31\n", {});
   ASSERT_EQ(recording.sightings.size(), 2U);
   EXPECT_EQ(recording.sightings[0].row.horizontal, "0°");
   EXPECT_EQ(recording.sightings[0].row.vertical, "87 00 07");
@@ -111,7 +111,8 @@ TEST(AngleColumns, HaveOneSign) {
   EXPECT_EQ(joined("-3", "-12", "-30"), "-3 12 30");
   EXPECT_THAT(joined("3", "-12", "30"), HasSubstr("has a sign in the middle"));
   EXPECT_NEAR(parseAngle(joined("-0", "12", "30"))->arcseconds(), -750, 1e-9);
-  const Recording recording = readCsv("Pt,Hz deg,Hz min,Hz sec,V deg,V min,V sec\n1,17,41,33,-0,12,30\n");
+  const Recording recording =
+      readTable("Pt,Hz deg,Hz min,Hz sec,V deg,V min,V sec\n1,17,41,33,-0,12,30\n", {});
   EXPECT_EQ(recording.verticalCircle, "elevation") << "no zenith circle reads so";
 }
 
@@ -133,9 +134,10 @@ TEST(AngleColumns, MayBeGon) {
 }
 
 TEST(AngleColumns, OfBothFacesAreTwoSightings) {
-  const Recording recording = readCsv(
+  const Recording recording = readTable(
       "Pt;Hz I d;Hz I m;Hz I s;V I d;V I m;V I s;Hz II d;Hz II m;Hz II s;V II d;V II m;V II s\n"
-      "1;17;41;33;86;12;7;197;41;35;273;47;55\n2;18;41;33;86;12;7;;;;;;\n");
+      "1;17;41;33;86;12;7;197;41;35;273;47;55\n2;18;41;33;86;12;7;;;;;;\n",
+      {});
   EXPECT_THAT(recording.problems, IsEmpty());
   ASSERT_EQ(recording.sightings.size(), 3U);
   EXPECT_EQ(recording.sightings[1].row.horizontal, "197 41 35");
@@ -205,7 +207,7 @@ TEST(AngleColumns, AreReadExactlyInAnyOrder) {
           {std::to_string(row), h.parts[0], h.parts[1], h.parts[2], v.parts[0], v.parts[1], v.parts[2]});
       wanted.emplace_back(h.arcseconds, v.arcseconds);
     }
-    const Recording recording = readCsv(text);
+    const Recording recording = readTable(text, {});
     ASSERT_THAT(recording.problems, IsEmpty()) << text << recording.problems.front().text();
     ASSERT_EQ(recording.sightings.size(), wanted.size()) << text;
     for (std::size_t i = 0; i < wanted.size(); ++i) {

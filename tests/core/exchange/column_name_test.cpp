@@ -72,21 +72,21 @@ TEST(ColumnName, TellsUnitsPartsAndFaces) {
 }
 
 TEST(ColumnName, HWeaklyNamesTheHorizontalCircle) {
-  const Recording recording = readCsv("Pt;Hz;V;H\n1;107 12 23;88 47 31;1.65\n");
+  const Recording recording = readTable("Pt;Hz;V;H\n1;107 12 23;88 47 31;1.65\n", {});
   EXPECT_THAT(recording.problems, IsEmpty());
   EXPECT_THAT(recording.unused, Contains("the column “H” is not used: 1 value"));
-  EXPECT_EQ(readCsv("Pt;H;V\n1;107 12 23;88 47 31\n").sightings.at(0).row.horizontal, "107 12 23");
+  EXPECT_EQ(readTable("Pt;H;V\n1;107 12 23;88 47 31\n", {}).sightings.at(0).row.horizontal, "107 12 23");
 }
 
 TEST(ColumnName, OfTwoForOneFieldIsRefused) {
-  EXPECT_THAT(readCsv("Pt;Hz;Horizontalwinkel;V\n1;1°;2°;3°\n").problems.at(0).text(),
+  EXPECT_THAT(readTable("Pt;Hz;Horizontalwinkel;V\n1;1°;2°;3°\n", {}).problems.at(0).text(),
               HasSubstr("is a second column"));
-  EXPECT_THAT(readCsv("Nr;Punkt;Hz;V\n7;A;107 12 23;88 47 31\n").sightings.at(0).row.point, "A");
+  EXPECT_THAT(readTable("Nr;Punkt;Hz;V\n7;A;107 12 23;88 47 31\n", {}).sightings.at(0).row.point, "A");
 }
 
 TEST(ColumnName, GradIsDecidedByTheNumbers) {
   const auto first = [](const std::string& rows, AngleUnit unit = AngleUnit::Unstated) {
-    const Recording recording = readCsv("Hz [Grad];V [Grad]\n" + rows, unit);
+    const Recording recording = readTable("Hz [Grad];V [Grad]\n" + rows, {.unit = unit});
     return recording.problems.empty() ? recording.sightings.at(0).row.horizontal : recording.problems[0].what;
   };
   EXPECT_EQ(first("219.1;98.2\n"), "219.1gon");
@@ -97,19 +97,20 @@ TEST(ColumnName, GradIsDecidedByTheNumbers) {
 }
 
 TEST(TableRows, ThatAreNoReadingsAreTold) {
-  const Recording recording = readCsv(
+  const Recording recording = readTable(
       "Pt;Hz;V;note\n1;107 12 23;88 47 31;Mittel aus "
       "2\nMittel;1;2;\n平均;1;2;\nсреднее;1;2;\nPt;Hz;V;note\nEnde\n4;;;\n"
-      "2;107 12 23;88 47 31;\n");
+      "2;107 12 23;88 47 31;\n",
+      {});
   EXPECT_THAT(recording.problems, IsEmpty());
   EXPECT_EQ(recording.sightings.size(), 2U);
   EXPECT_THAT(recording.unused, ElementsAre("rows of means or sums are not used: lines 3, 4, 5",
                                             "rows that name the columns again are skipped: line 6",
                                             "rows without a reading of a circle are not used: lines 7, 8"));
-  EXPECT_THAT(readCsv("Pt,Hz,V\n1,1°,2°\nsunny, wind 3 m/s, no clouds\n").problems, IsEmpty());
-  EXPECT_FALSE(readCsv("Pt,Hz,V\n1,1°,2°\n2, x107 12 23, 88°\n").sightings.size() == 1)
+  EXPECT_THAT(readTable("Pt,Hz,V\n1,1°,2°\nsunny, wind 3 m/s, no clouds\n", {}).problems, IsEmpty());
+  EXPECT_FALSE(readTable("Pt,Hz,V\n1,1°,2°\n2, x107 12 23, 88°\n", {}).sightings.size() == 1)
       << "is refused by its rules";
-  EXPECT_THAT(readCsv("Pt;Hz;V\n1;1°;2°\nPt;V;Hz\n2;1°;2°\n").problems.at(0).text(),
+  EXPECT_THAT(readTable("Pt;Hz;V\n1;1°;2°\nPt;V;Hz\n2;1°;2°\n", {}).problems.at(0).text(),
               HasSubstr("have other names from here on"));
 }
 

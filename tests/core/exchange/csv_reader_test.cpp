@@ -10,9 +10,10 @@ using ::testing::HasSubstr;
 using ::testing::IsEmpty;
 
 TEST(CsvReader, ReadsEveryColumn) {
-  const Recording recording = readCsv(
+  const Recording recording = readTable(
       "axis_deg;Point No;round;Face;Horizontal circle;V angle;slider;remark;excluded\n"
-      "180°;4;2;II;341°52'24\";88,16°;10 00 00;wind;yes\n");
+      "180°;4;2;II;341°52'24\";88,16°;10 00 00;wind;yes\n",
+      {});
   EXPECT_THAT(recording.problems, IsEmpty());
   ASSERT_EQ(recording.sightings.size(), 1u);
   const RecordedSighting& sighting = recording.sightings[0];
@@ -32,16 +33,16 @@ TEST(CsvReader, ReadsEveryColumn) {
 TEST(CsvReader, KnowsOtherNamesOfTheColumns) {
   for (const char* names : {"Hz,V", "H,V", "α,β", "alpha;beta", "Direction\tZenith", "hz_reading,va",
                             "HORIZONTAL ANGLE,VERTICAL ANGLE", "Hz [gon],V [gon]", "Elevation,Hz"}) {
-    const Recording recording = readCsv(std::string(names) + "\n");
+    const Recording recording = readTable(std::string(names) + "\n", {});
     EXPECT_THAT(recording.problems, IsEmpty()) << names;
   }
-  EXPECT_EQ(readCsv("Elevation,Hz\n").verticalCircle, "elevation");
-  EXPECT_EQ(readCsv("Hz,V\n").verticalCircle, "");
+  EXPECT_EQ(readTable("Elevation,Hz\n", {}).verticalCircle, "elevation");
+  EXPECT_EQ(readTable("Hz,V\n", {}).verticalCircle, "");
 }
 
 TEST(CsvReader, TakesTheUnitFromTheNameFirst) {
   const auto first = [](const std::string& text, AngleUnit unit) {
-    return readCsv(text, unit).sightings.at(0).row.horizontal;
+    return readTable(text, {.unit = unit}).sightings.at(0).row.horizontal;
   };
   EXPECT_EQ(first("Hz [gon];V\n379,859;1", AngleUnit::Degrees), "379,859gon");
   EXPECT_EQ(first("hz_deg,v_deg\n341.5,1", AngleUnit::Unstated), "341.5°");
@@ -51,13 +52,13 @@ TEST(CsvReader, TakesTheUnitFromTheNameFirst) {
 }
 
 TEST(CsvReader, KnowsThePointingZero) {
-  EXPECT_TRUE(readCsv("point,Hz,V\nZero,1°,2°").sightings.at(0).isZero);
-  EXPECT_FALSE(readCsv("point,Hz,V\n0,1°,2°").sightings.at(0).isZero) << "points may count from 0";
-  EXPECT_TRUE(readCsv("point,Hz,V\nRef,1°,2°", AngleUnit::Unstated, "REF").sightings.at(0).isZero);
+  EXPECT_TRUE(readTable("point,Hz,V\nZero,1°,2°", {}).sightings.at(0).isZero);
+  EXPECT_FALSE(readTable("point,Hz,V\n0,1°,2°", {}).sightings.at(0).isZero) << "points may count from 0";
+  EXPECT_TRUE(readTable("point,Hz,V\nRef,1°,2°", {}, "REF").sightings.at(0).isZero);
 }
 
 TEST(CsvReader, ListsColumnsItDoesNotUse) {
-  const Recording recording = readCsv("Hz,V,temperature,distance\n1°,2°,20.5,\n1°,2°,20.5,3\n");
+  const Recording recording = readTable("Hz,V,temperature,distance\n1°,2°,20.5,\n1°,2°,20.5,3\n", {});
   EXPECT_THAT(recording.unused, testing::ElementsAre("the column “temperature” is not used: 2 values"));
   EXPECT_THAT(recording.unusedBySession, testing::ElementsAre("the column “distance” is not used: 1 value"));
   EXPECT_EQ(recording.sightings[1].distanceM, 3);
@@ -67,7 +68,7 @@ TEST(CsvReader, ListsColumnsItDoesNotUse) {
 TEST(CsvReader, EndsAtTheSignOfDos) {
   const std::string head = "point,horizontal,vertical\n1,10 00 00,90 00 00", more = "2,11 00 00,91 00 00\n";
   for (const auto& [end, line] : {std::pair("\x1A\n", "line 2"), std::pair("\n\x1A", "line 3")}) {
-    const Recording recording = readCsv(head + end + more);
+    const Recording recording = readTable(head + end + more, {});
     EXPECT_THAT(recording.problems, IsEmpty());
     ASSERT_EQ(recording.sightings.size(), 1u);
     EXPECT_EQ(recording.sightings[0].row.vertical, "90 00 00");
@@ -79,7 +80,7 @@ TEST(CsvReader, EndsAtTheSignOfDos) {
 
 TEST(CsvReader, NamesWhatIsWrong) {
   const auto problem = [](const std::string& text) {
-    const Recording recording = readCsv(text);
+    const Recording recording = readTable(text, {});
     return recording.problems.empty() ? std::string() : recording.problems.front().text();
   };
   EXPECT_THAT(problem("1,2,3\n4,5,6"), HasSubstr("line 1: no column is named “horizontal”"));

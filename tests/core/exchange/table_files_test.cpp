@@ -115,9 +115,9 @@ TEST(TableFiles, DeliverWhatACheckNeeds) {
   ASSERT_EQ(directions.sightings.size(), 8U);
   EXPECT_EQ(directions.sightings[2].row.face, "2");
   EXPECT_EQ(directions.sightings[2].row.vertical, "");
-  EXPECT_FALSE(readCsv(tableFile("28-check-directions-only.csv")).problems.empty());
+  EXPECT_FALSE(readTable(tableFile("28-check-directions-only.csv"), {}).problems.empty());
 
-  const Recording faces = readCsv(tableFile("29-check-faces-side-by-side.csv"));
+  const Recording faces = readTable(tableFile("29-check-faces-side-by-side.csv"), {});
   EXPECT_THAT(faces.problems, IsEmpty());
   ASSERT_EQ(faces.sightings.size(), 8U);
   EXPECT_EQ(faces.sightings[1].row.point, "P");
