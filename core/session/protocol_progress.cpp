@@ -364,11 +364,6 @@ std::optional<std::size_t> nextPlaceIn(const ProtocolProgress& progress, std::si
   return missed;
 }
 
-std::optional<FollowedSighting> nextSighting(const Session& session) {
-  const auto progress = progressIn(session);
-  return progress && progress->next ? std::optional(progress->sightings[*progress->next]) : std::nullopt;
-}
-
 Reading rowFor(const PlannedSighting& planned) {
   Reading row;
   row.point = std::to_string(planned.point);

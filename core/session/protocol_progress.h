@@ -84,9 +84,6 @@ std::optional<ProtocolProgress> progressIn(const Session& session, std::optional
 /// Index of the next sighting of a place in one position of the session; absent if none remains there.
 std::optional<std::size_t> nextPlaceIn(const ProtocolProgress& progress, std::size_t position);
 
-/// The next sighting in the session's protocol; absent without a protocol, or if it is complete.
-std::optional<FollowedSighting> nextSighting(const Session& session);
-
 /// The row for a sighting of a place, with only point, round and face.
 Reading rowFor(const PlannedSighting& planned);
 

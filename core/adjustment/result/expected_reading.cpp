@@ -169,11 +169,6 @@ class Expectations {
 
 }  // namespace
 
-std::optional<ExpectedReading> expectedReading(const Measurement& measurement, const SessionFit& fit,
-                                               const SightingToCome& sighting) {
-  return expectedReadings(measurement, fit, {sighting}).front();
-}
-
 std::vector<std::optional<ExpectedReading>> expectedReadings(const Measurement& measurement,
                                                              const SessionFit& fit,
                                                              const std::vector<SightingToCome>& sightings,

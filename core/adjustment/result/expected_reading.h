@@ -34,15 +34,11 @@ struct ExpectedReading {
   Angle tolerance;             ///< a larger deviation is significant
 };
 
-/// Absent if the place cannot be predicted or the position has no pointing zero. A place cannot be predicted
-/// if the point has no reading anywhere, and there are fewer than three points or coordinates not evenly
-/// spaced by number. Points are extrapolated by at most half the range of the known point numbers.
-std::optional<ExpectedReading> expectedReading(const Measurement& measurement, const SessionFit& fit,
-                                               const SightingToCome& sighting);
-
-/// Returns the expected reading of each sighting, with the places of the points computed once. A place in
-/// `nominal` has the coordinate of the slider's earlier visit. Without an earlier visit, it has the nominal
-/// coordinate, corrected by the slider's mean offset so far.
+/// Returns the expected reading of each sighting. It is absent if the place cannot be predicted or the
+/// position has no pointing zero. A place cannot be predicted if the point has no reading anywhere, and there
+/// are fewer than three points or coordinates not evenly spaced by number. Points are extrapolated by at most
+/// half the range of the known point numbers. A place in `nominal` has the coordinate of the slider's earlier
+/// visit. Without an earlier visit, it has the nominal coordinate, corrected by the slider's mean offset.
 std::vector<std::optional<ExpectedReading>> expectedReadings(const Measurement& measurement,
                                                              const SessionFit& fit,
                                                              const std::vector<SightingToCome>& sightings,

@@ -204,8 +204,10 @@ class Led {
 
   ProtocolProgress progress() const { return progressOf(m_session, m_protocol); }
   std::string next() const {
-    const auto next = nextSighting(m_session);
-    return next ? std::to_string(next->planned.axisDeg) + ":" + shortText(next->planned) : "none";
+    const ProtocolProgress progress = *progressIn(m_session);
+    if (!progress.next) return "none";
+    const PlannedSighting& planned = progress.sightings[*progress.next].planned;
+    return std::to_string(planned.axisDeg) + ":" + shortText(planned);
   }
   Session& session() { return m_session; }
 

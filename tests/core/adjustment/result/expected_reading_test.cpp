@@ -21,8 +21,8 @@ std::optional<ExpectedReading> beforeRow(const Session& session, std::size_t pos
   if (!examined.measurement) return {};
   const Reading& next = session.positions[position].readings[row];
   const auto number = [](const std::string& text) { return text.empty() ? 1 : std::stoi(text); };
-  return expectedReading(*examined.measurement, fitSession(*examined.measurement),
-                         {position, number(next.point), number(next.round), number(next.face)});
+  const SightingToCome sighting{position, number(next.point), number(next.round), number(next.face)};
+  return expectedReadings(*examined.measurement, fitSession(*examined.measurement), {sighting}).front();
 }
 
 /// The deviation of either circle from its expected reading.

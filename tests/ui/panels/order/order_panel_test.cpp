@@ -92,17 +92,18 @@ TEST(OrderPanel, LeadsTheKeyboardThroughAWholeProtocol) {
   const std::size_t count = sightingsInOrder(protocol).size();
   ASSERT_EQ(count, 28u);
   for (std::size_t i = 0; i < count; ++i) {
-    const auto next = nextSighting(bench.session());
-    ASSERT_TRUE(next) << i;
+    const auto progress = progressIn(bench.session());
+    ASSERT_TRUE(progress && progress->next) << i;
+    const FollowedSighting& next = progress->sightings[*progress->next];
     bench.open->entry().goToNextEntry();
     QCoreApplication::processEvents();
     QWidget* focus = QApplication::focusWidget();
     ASSERT_TRUE(focus);
-    const PlannedSighting& planned = next->planned;
+    const PlannedSighting& planned = next.planned;
     std::string horizontal, vertical;
     if (planned.isZero) {
       EXPECT_THAT(focus->objectName().toStdString(), HasSubstr(zeroField(planned) + ".horizontal")) << i;
-      const PointingZero& zero = whole.positions[*next->position].zero;
+      const PointingZero& zero = whole.positions[*next.position].zero;
       const Angle turned = Angle::fromDegrees(planned.face == 2 ? 180 : 0);
       horizontal = formatDms(wrapped(*parseAngle(zero.horizontal) + turned, Angle::fromDegrees(180)), 1,
                              AngleSigns::Typewriter);
@@ -110,8 +111,8 @@ TEST(OrderPanel, LeadsTheKeyboardThroughAWholeProtocol) {
                                                AngleSigns::Typewriter)
                                    : zero.vertical;
     } else {
-      EXPECT_EQ(focus->objectName().toStdString(), "readings" + std::to_string(*next->position)) << i;
-      for (const Reading& row : whole.positions[*next->position].readings)
+      EXPECT_EQ(focus->objectName().toStdString(), "readings" + std::to_string(*next.position)) << i;
+      for (const Reading& row : whole.positions[*next.position].readings)
         if (row.point == std::to_string(planned.point) && row.round == std::to_string(planned.round) &&
             row.face == std::to_string(planned.face)) {
           horizontal = row.horizontal;
@@ -124,8 +125,8 @@ TEST(OrderPanel, LeadsTheKeyboardThroughAWholeProtocol) {
     QCoreApplication::processEvents();
   }
   bench.waitUntilIdle();
-  EXPECT_FALSE(nextSighting(bench.session()));
   const ProtocolProgress progress = progressOf(bench.session(), protocol);
+  EXPECT_FALSE(progress.next);
   EXPECT_TRUE(progress.isComplete());
   EXPECT_EQ(progress.outOfTurn + progress.unplanned + progress.missed, 0u);
   EXPECT_THAT(bench.text("order state"), HasSubstr("28 of 28"));
