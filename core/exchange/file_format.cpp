@@ -206,13 +206,6 @@ const FileFormat* formatOfBytes(std::string_view bytes, std::string_view fileNam
   return found == formats.end() ? nullptr : &*found;
 }
 
-std::vector<std::string_view> formatNamesOf(bool areRead) {
-  std::vector<std::string_view> names;
-  for (const FileFormat& format : fileFormats())
-    if ((format.read != nullptr) == areRead) names.push_back(format.name);
-  return names;
-}
-
 }  // namespace
 
 std::span<const FileFormat> fileFormats() {
@@ -245,11 +238,10 @@ std::string readableKinds() {
 }
 
 std::vector<std::string_view> readableFormats() {
-  return formatNamesOf(true);
-}
-
-std::vector<std::string_view> namedFormats() {
-  return formatNamesOf(false);
+  std::vector<std::string_view> names;
+  for (const FileFormat& format : fileFormats())
+    if (format.read) names.push_back(format.name);
+  return names;
 }
 
 std::vector<std::string_view> readingsSuffixes() {

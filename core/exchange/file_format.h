@@ -46,9 +46,8 @@ Result<std::string> readingsText(std::string_view bytes, std::string_view fileNa
 /// The readable formats, for a sentence: `Leica GSI-8 and GSI-16, Zeiss and Trimble M5, …, and tables`.
 std::string readableKinds();
 
-/// The names of the formats that are read, except tables, and of those that are recognised and refused.
+/// The names of the formats that are read, except tables.
 std::vector<std::string_view> readableFormats();
-std::vector<std::string_view> namedFormats();
 
 /// Suffixes of files of readings, tables included; lower case, without a point, each once.
 std::vector<std::string_view> readingsSuffixes();

@@ -10,35 +10,9 @@ namespace alidade::ui {
 
 namespace {
 
-struct ClassTopic {
-  const char* className;
-  const char* topic;
-};
-
-constexpr ClassTopic classTopics[] = {
-    {"alidade::ui::PositionTabs", "entering"},
-    {"alidade::ui::ReadingsTable", "entering"},
-    {"alidade::ui::ZeroEntries", "entering#zeros"},
-    {"alidade::ui::SuspectBar", "entering#misread"},
-    {"alidade::ui::FindingsPanel", "result#findings"},
-    {"alidade::ui::ArcChart", "result#picture"},
-    {"alidade::ui::SimulationBox", "uncertainty#simulation"},
-    {"alidade::ui::FormList", "forms"},
-    {"alidade::ui::BlindTrialDialog", "gap#trials"},
-    {"alidade::ui::InstrumentDialog", "instrument"},
-    {"alidade::ui::RecordHistoryDialog", "instrument"},
-    {"alidade::ui::ConnectionDialog", "connection"},
-    {"alidade::ui::ReadingQuestionBar", "connection#question"},
-    {"alidade::ui::InstallationDialog", "installation"},
-    {"alidade::ui::SeriesWindow", "series"},
-    {"alidade::ui::DiagnosisPanel", "gap#several"},
-    {"alidade::ui::ChangedFileBar", "files#others"},
-    {"alidade::ui::StartPage", "first"},
-};
-
 QString topicOfClass(const QMetaObject* type) {
   for (; type; type = type->superClass())
-    for (const ClassTopic& known : classTopics)
+    for (const ClassTopic& known : classTopics())
       if (qstrcmp(known.className, type->className()) == 0) return QString::fromLatin1(known.topic);
   return {};
 }
@@ -64,6 +38,28 @@ const std::vector<HelpPage>& allHelpPages() {
   return pages;
 }
 
+const std::vector<ClassTopic>& classTopics() {
+  static const std::vector<ClassTopic> topics{{"alidade::ui::PositionTabs", "entering"},
+                                              {"alidade::ui::ReadingsTable", "entering"},
+                                              {"alidade::ui::ZeroEntries", "entering#zeros"},
+                                              {"alidade::ui::SuspectBar", "entering#misread"},
+                                              {"alidade::ui::FindingsPanel", "result#findings"},
+                                              {"alidade::ui::ArcChart", "result#picture"},
+                                              {"alidade::ui::SimulationBox", "uncertainty#simulation"},
+                                              {"alidade::ui::FormList", "forms"},
+                                              {"alidade::ui::BlindTrialDialog", "gap#trials"},
+                                              {"alidade::ui::InstrumentDialog", "instrument"},
+                                              {"alidade::ui::RecordHistoryDialog", "instrument"},
+                                              {"alidade::ui::ConnectionDialog", "connection"},
+                                              {"alidade::ui::ReadingQuestionBar", "connection#question"},
+                                              {"alidade::ui::InstallationDialog", "installation"},
+                                              {"alidade::ui::SeriesWindow", "series"},
+                                              {"alidade::ui::DiagnosisPanel", "gap#several"},
+                                              {"alidade::ui::ChangedFileBar", "files#others"},
+                                              {"alidade::ui::StartPage", "first"}};
+  return topics;
+}
+
 QUrl helpUrl(const QString& topic) {
   QUrl url(QStringLiteral("qrc:/help/%1/%2.html").arg(shownLanguage(), topic.section(u'#', 0, 0)));
   if (const QString place = topic.section(u'#', 1); !place.isEmpty()) url.setFragment(place);
@@ -80,12 +76,6 @@ QString helpTopicOf(const QWidget* widget) {
 
 QString firstHelpTopic() {
   return QString::fromLatin1(allHelpPages().front().id);
-}
-
-QStringList helpTopicsOfClasses() {
-  QStringList topics;
-  for (const ClassTopic& known : classTopics) topics.append(QString::fromLatin1(known.topic));
-  return topics;
 }
 
 }  // namespace alidade::ui

@@ -17,6 +17,14 @@ struct HelpPage {
 /// All pages in the order of the contents.
 const std::vector<HelpPage>& allHelpPages();
 
+/// The topic of a class of widgets.
+struct ClassTopic {
+  const char* className;
+  const char* topic;
+};
+
+const std::vector<ClassTopic>& classTopics();
+
 /// The address of a topic, which is a page ("gap") or an anchor in a page ("words#s0").
 QUrl helpUrl(const QString& topic);
 
@@ -26,8 +34,5 @@ QString helpTopicOf(const QWidget* widget);
 
 /// The topic of the first page.
 QString firstHelpTopic();
-
-/// The topics of all widget classes.
-QStringList helpTopicsOfClasses();
 
 }  // namespace alidade::ui
