@@ -11,6 +11,7 @@
 #include <QTest>
 
 #include "core/simulation/simulate.h"
+#include "core/wording/size_text.h"
 #include "tests/ui/shown_texts.h"
 #include "tests/ui/support.h"
 #include "ui/commands/change_field.h"
@@ -91,9 +92,8 @@ TEST(MeasuredAgain, IsTypedFittedSavedAndOpened) {
     for (std::size_t row = 0; row < 17; ++row)
       EXPECT_EQ(positions[2].readings[row].vertical, whole.positions[2].readings[row].vertical);
     const Intersection wanted = *evaluate(whole).fit.intersection;
-    EXPECT_THAT(
-        textsOf(*open->findChild<ResultPanel*>()),
-        HasSubstr(valueWithUncertainty(wanted.value, wanted.expanded, QStringLiteral("mm")).toStdString()));
+    EXPECT_THAT(textsOf(*open->findChild<ResultPanel*>()),
+                HasSubstr(sizeWithExpanded(wanted.value, wanted.expanded, "mm")));
 
     open.dialogs->savePath = folder.filePath(QStringLiteral("again.alidade"));
     ASSERT_TRUE(open->files().saveAs());

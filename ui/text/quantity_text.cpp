@@ -53,15 +53,6 @@ QString angleText(Angle angle, CircleUnit unit, int decimals) {
                                         : notStated();
 }
 
-QString valueWithUncertainty(double value, double uncertainty, const QString& unit) {
-  return valueWithUncertainty(value, uncertainty, unit, decimalsFor(uncertainty));
-}
-
-QString valueWithUncertainty(double value, double uncertainty, const QString& unit, int decimals) {
-  const QString tail = unit.isEmpty() ? QString() : u' ' + unit;
-  return numberText(value, decimals) + QStringLiteral(" ± ") + numberText(uncertainty, decimals) + tail;
-}
-
 QString unbroken(QString text) {
   static const QRegularExpression gap(QStringLiteral("(?<=[±<>≤≥]) (?=\\d)|(?<=\\d) (?=mm|%|°)"));
   return text.replace(gap, QString(QChar::Nbsp));

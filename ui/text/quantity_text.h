@@ -35,11 +35,6 @@ QString arcsecText(double arcseconds, int decimals = 1);
 /// The angle in `unit` (`formatAngle`), not wrapped: "341°52′24″". `decimals`: those of the seconds.
 QString angleText(Angle angle, CircleUnit unit = CircleUnit::Dms, int decimals = 0);
 
-/// "1.308 ± 0.022 mm": the uncertainty with two significant digits, the value to the same decimals.
-QString valueWithUncertainty(double value, double uncertainty, const QString& unit);
-/// The same with this number of decimals.
-QString valueWithUncertainty(double value, double uncertainty, const QString& unit, int decimals);
-
 /// Keeps each figure with its sign and unit when the line wraps. The text has as many characters as before.
 QString unbroken(QString text);
 

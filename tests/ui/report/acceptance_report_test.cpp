@@ -2,6 +2,7 @@
 #include "core/base/version.h"
 #include "core/diagnosis/diagnose.h"
 
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <QCryptographicHash>
@@ -40,7 +41,7 @@ TEST(AcceptanceReport, PrintsTheResultWithItsUncertaintyAndVerdict) {
   EXPECT_TRUE(front.contains(QString::fromStdString(evaluation.session.title)));
   EXPECT_TRUE(front.contains(QStringLiteral("Accepted")));
   EXPECT_TRUE(front.contains(QStringLiteral("Δd, fit only: ") +
-                             valueWithUncertainty(found.value, found.expanded, QStringLiteral("mm"))));
+                             qText(sizeWithExpanded(found.value, found.expanded, "mm"))));
   for (const char* value :
        {"tolerance ± 2.5 mm", "2405 mm", "400 mm", "O1 at 0° −0.834", "401.954", "O2 at 180°", "403.914",
         "9.37 53.35", "8.33 42.17", "|O1 − O2|/2 = 1.35 ± 0.21 mm", "zenith", "σ pointing zero", "95 %",
@@ -87,7 +88,7 @@ TEST(AcceptanceReport, PrintsTheModelEffectsThatWereEstimatedAlong) {
 }
 
 QString estimateText(const std::optional<IntersectionEstimate>& estimate) {
-  return valueWithUncertainty(estimate->value, estimate->expanded, {}).trimmed();
+  return qText(sizeWithExpanded(estimate->value, estimate->expanded, ""));
 }
 
 TEST(AcceptanceReport, TellsTheGapAndItsCause) {
