@@ -11,8 +11,6 @@
 
 namespace alidade {
 
-namespace {
-
 Visibility visibilityIn(const GapModel& model, const std::string& held) {
   const Leftover leftover(linearise(*model.measurement, *model.fit, model.options), model.options.terms);
   const Trace trace(leftover, leftover.residual());
@@ -34,18 +32,10 @@ Visibility visibilityIn(const GapModel& model, const std::string& held) {
   return visibility;
 }
 
-}  // namespace
-
 Result<Visibility, NoModel> visibilityOf(const Measurement& noiseless, const std::string& held) {
   const auto own = modelOf(noiseless);
   if (!own) return own.problem();
   return visibilityIn(closedModelOf(*own).value_or(*own), held);
-}
-
-Result<Visibility, NoModel> visibilityInResiduals(const Measurement& noiseless, const std::string& held) {
-  const auto own = modelOf(noiseless);
-  if (!own) return own.problem();
-  return visibilityIn(*own, held);
 }
 
 }  // namespace alidade

@@ -13,6 +13,8 @@ namespace alidade {
 // The visibility of an effect in noise-free readings that contain it, and its look-alikes. The readings
 // contain the effect in its exact size and sign, without linearisation.
 
+struct GapModel;
+
 struct Visibility {
   double sigma = 0;  ///< length of the trace: √χ² of the leftover, stated σ
   /// Look-alikes of the effect in these readings: closer than `clearlyDifferent` σ.
@@ -24,7 +26,7 @@ struct Visibility {
 /// effect `held` only. Look-alikes are other catalogue effects, and a jump between a zero and the first
 /// visit. Fails if no arc can be fitted.
 Result<Visibility, NoModel> visibilityOf(const Measurement& noiseless, const std::string& held);
-/// Uses the residuals of the session's own model only.
-Result<Visibility, NoModel> visibilityInResiduals(const Measurement& noiseless, const std::string& held);
+/// The same in the residuals of `model`, whose readings contain the effect `held` only.
+Visibility visibilityIn(const GapModel& model, const std::string& held);
 
 }  // namespace alidade

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <QApplication>
+#include <QCheckBox>
 #include <QClipboard>
 #include <QFile>
 #include <QLabel>
@@ -255,7 +256,7 @@ TEST(MainWindow, TellsThePublishedFiguresOnRequest) {
   OpenWindow open;
   loadPaper(open);
   EXPECT_THAT(resultOf(open), Not(HasSubstr("1.934")));
-  open->findChild<ResultPanel*>()->setComparisonShown(true);
+  open->findChild<ResultPanel*>()->findChild<QCheckBox*>()->click();
   const std::string shown = resultOf(open);
   for (const char* printed : {"−0.0091", "−0.0318", "−0.9719", "−1.4923", "1.8143", "−2.0538", "1.934"}) {
     EXPECT_THAT(shown, HasSubstr(printed));

@@ -5,6 +5,7 @@
 
 #include <QAction>
 #include <QApplication>
+#include <QCheckBox>
 #include <QLabel>
 #include <QLineEdit>
 #include <QTemporaryDir>
@@ -158,7 +159,7 @@ TEST(MeasuredAgain, HasTheMeanOfWhatThePublishedMethodFinds) {
   open->document().startWith(sessionTakenAt({0, 180, 0}));
   open.waitUntilIdle();
   auto* page = open->findChild<ResultPanel*>();
-  page->setComparisonShown(true);
+  page->findChild<QCheckBox*>()->click();
   const PublishedSessionFit published =
       fitSessionAsPublished(*examine(open->document().session()).measurement);
   ASSERT_EQ(published.arcs.size(), 3u);

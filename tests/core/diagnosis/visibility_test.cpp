@@ -5,6 +5,7 @@
 
 #include <set>
 
+#include "core/diagnosis/gap/gap_model.h"
 #include "core/simulation/simulate.h"
 #include "tests/support/trial_truth.h"
 
@@ -21,7 +22,7 @@ Visibility visibilityOfTrial(const test::Trial& trial) {
   Truth truth = test::truthOf(trial);
   truth.horizontalZero = trial.measurement.arcs[0].zeroHorizontal;
   const Result<Session> perfect = simulateWithoutNoise(*protocolByName(trial.protocol), truth, 1);
-  return *visibilityInResiduals(*examine(*perfect).measurement, trial.kind);
+  return visibilityIn(*modelOf(*examine(*perfect).measurement), trial.kind);
 }
 
 // The ray tracer's own tools computed the visibility of each effect and its look-alikes. Its places differ

@@ -106,10 +106,6 @@ void ResultPanel::layOutHead() {
   fold(false);
 }
 
-void ResultPanel::setComparisonShown(bool shown) {
-  m_compare->setChecked(shown);
-}
-
 void ResultPanel::setHeadline(const Headline& headline) {
   m_isProvisional = headline.isProvisional;
   if (!m_isProvisional) m_head->setMinimumHeight(0);

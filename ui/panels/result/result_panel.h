@@ -31,7 +31,6 @@ class ResultPanel : public ScrollPage {
   void setEvaluation(const Evaluation& evaluation);
   /// The same evaluation after the search for misread readings. Shows its figures by the published method.
   void setSearched(const Evaluation& evaluation);
-  void setComparisonShown(bool shown);
   /// The session changed: keeps the height of the head until the new diagnosis.
   void setGapStale();
   /// Another session is open, which is not diagnosed yet: no longer keeps the height of the head.

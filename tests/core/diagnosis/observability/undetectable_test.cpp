@@ -51,12 +51,12 @@ TEST_P(Undetectable, EffectsShowAndMoveTheIntersectionAsSessionsThatHoldThem) {
     const Detectability detectability = detectabilityOf(find(id), perReading);
     ASSERT_NEAR(detectability.weights.norm(), 1, 1e-12);
     const Measurement held = measurementBy(GetParam(), id, detectability.weights);
-    const double visible = visibilityInResiduals(held, id)->sigma;
+    const double visible = visibilityIn(*modelOf(held), id).sigma;
     EXPECT_NEAR(detectability.visible, visible, 0.03 * visible + 0.002);
     EXPECT_NEAR(detectability.influence, std::abs(intersectionOf(held) - clean),
                 0.03 * detectability.influence + 2e-3);
     const Measurement opposite = measurementBy(GetParam(), id, -detectability.weights);
-    EXPECT_GE(visibilityInResiduals(opposite, id)->sigma, 0.97 * detectability.visible - 0.002);
+    EXPECT_GE(visibilityIn(*modelOf(opposite), id).sigma, 0.97 * detectability.visible - 0.002);
   }
 }
 
