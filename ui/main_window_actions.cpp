@@ -14,8 +14,8 @@
 #include <QToolButton>
 
 #include "core/session/entry.h"
-#include "ui/commands/change_field.h"
 #include "ui/commands/change_positions.h"
+#include "ui/commands/change_session.h"
 #include "ui/connection/instrument_desk.h"
 #include "ui/dialogs/command_palette.h"
 #include "ui/dialogs/export_flow.h"

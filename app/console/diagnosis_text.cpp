@@ -2,12 +2,11 @@
 
 #include <algorithm>
 
-#include "app/console/findings_text.h"
-#include "app/console/statement_text.h"
 #include "app/console/text_layout.h"
 #include "core/base/list_text.h"
 #include "core/base/number_text.h"
 #include "core/statement/gap.h"
+#include "core/wording/form_sentence.h"
 
 namespace alidade::console {
 
@@ -50,6 +49,34 @@ std::string diagnosisText(const std::string& session, const Gap& gap, const std:
        {gapClosures(gap), gapRequired(gap), gapAdvice(gap), gapUndetectable(gap)})
     text += statementText(statement);
   return text + findingsText(findings);
+}
+
+std::string formsText(const std::vector<FoundForm>& forms) {
+  std::string text;
+  for (const FoundForm& form : forms) {
+    text += "\n" + paragraph(formSentence(form));
+    for (const FormNumber& number : form.parameters)
+      text +=
+          "  " + number.name + " " + fixedText(number.value, 3) + " (u " + fixedText(number.sigma, 3) + ")\n";
+    if (const std::string alike = lookAlikesSentence(form); !alike.empty())
+      text += paragraph("  " + alike, 2);
+    if (const std::string clean = cleanRangeSentence(form); !clean.empty())
+      text += paragraph("  " + clean, 2);
+  }
+  if (forms.empty()) return text;
+  const std::string shrink = shrinkSentence(forms.front());
+  return shrink.empty() ? text : text + paragraph("  " + shrink, 2);
+}
+
+std::string discoveryText(const std::string& table, const Discovery& discovery) {
+  std::string text = heading(table) + "\n" + std::to_string(discovery.readings) + " residuals, rms " +
+                     fixedText(discovery.rms, 2) + "″ outside the base columns, reduced χ² " +
+                     fixedText(discovery.reducedChiSquare, 2) + "\n";
+  if (discovery.noise > 1)
+    text += "With the forms, the residuals scatter " + fixedText(discovery.noise, 2) +
+            " times as much as stated.\n";
+  if (discovery.forms.empty()) return text + "No form is 20 times as likely as none.\n";
+  return text + formsText(discovery.forms);
 }
 
 }  // namespace alidade::console

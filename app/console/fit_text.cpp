@@ -4,17 +4,13 @@
 #include <cctype>
 #include <cmath>
 
-#include "app/console/findings_text.h"
-#include "app/console/statement_text.h"
 #include "app/console/text_layout.h"
 #include "core/base/number_text.h"
 #include "core/base/quantity_text.h"
 #include "core/statement/arcs.h"
 #include "core/statement/budget.h"
 #include "core/statement/headline.h"
-#include "core/statement/monte_carlo.h"
 #include "core/statement/reliability.h"
-#include "core/statement/suspects.h"
 #include "core/statement/two_faces.h"
 #include "core/wording/diagnosis_sentence.h"
 #include "core/wording/findings.h"

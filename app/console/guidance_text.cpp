@@ -4,7 +4,6 @@
 #include <cmath>
 #include <vector>
 
-#include "app/console/statement_text.h"
 #include "app/console/text_layout.h"
 #include "core/base/list_text.h"
 #include "core/base/visible_text.h"
@@ -13,7 +12,6 @@
 #include "core/statement/sightings_ahead.h"
 #include "core/wording/guidance.h"
 #include "core/wording/position_name.h"
-#include "core/wording/protocol_words.h"
 
 namespace alidade::console {
 

@@ -1,6 +1,5 @@
 #include "app/console/history_text.h"
 
-#include "app/console/statement_text.h"
 #include "app/console/text_layout.h"
 #include "core/series/history/history_sentences.h"
 #include "core/series/history/history_statement.h"

@@ -1,7 +1,5 @@
 #include "app/console/instrument_text.h"
 
-#include "app/console/findings_text.h"
-#include "app/console/statement_text.h"
 #include "app/console/text_layout.h"
 #include "core/series/instrument_check/check_statement.h"
 

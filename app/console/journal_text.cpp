@@ -2,7 +2,6 @@
 
 #include <nlohmann/json.hpp>
 
-#include "app/console/statement_text.h"
 #include "app/console/text_layout.h"
 #include "core/answers/json_text.h"
 #include "core/statement/journal.h"

@@ -1,19 +1,15 @@
-#include "app/console/plan_text.h"
+#include "app/console/guidance_text.h"
 
 #include <nlohmann/json.hpp>
 
-#include "app/console/findings_text.h"
-#include "app/console/statement_text.h"
 #include "app/console/text_layout.h"
-#include "core/answers/attainable_json.h"
-#include "core/answers/findings_json.h"
+#include "core/answers/json_parts.h"
 #include "core/answers/json_text.h"
 #include "core/base/list_text.h"
 #include "core/base/number_text.h"
 #include "core/base/quantity_text.h"
 #include "core/effects/catalogue.h"
 #include "core/statement/next_measures.h"
-#include "core/wording/cause_prior.h"
 #include "core/wording/effect_name.h"
 #include "core/wording/measure.h"
 

@@ -1,6 +1,5 @@
 #include "app/console/self_test_text.h"
 
-#include "app/console/statement_text.h"
 #include "app/console/text_layout.h"
 #include "core/self_test/self_test_words.h"
 

@@ -3,8 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "app/console/findings_text.h"
-#include "app/console/forms_text.h"
+#include "app/console/diagnosis_text.h"
 #include "app/console/text_layout.h"
 #include "core/base/list_text.h"
 #include "core/base/number_text.h"

@@ -1,4 +1,4 @@
-#include "app/console/series_trial_text.h"
+#include "app/console/trial_text.h"
 
 #include <nlohmann/json.hpp>
 

@@ -5,6 +5,9 @@
 #include <string_view>
 #include <vector>
 
+#include "core/base/finding.h"
+#include "core/statement/statement.h"
+
 namespace alidade::console {
 
 /// The heading of a result: the user's name for the result, always on one line.
@@ -19,5 +22,11 @@ std::string alignedColumns(const std::vector<std::vector<std::string>>& rows,
 /// text ends in a newline. Lines after the first begin with `indent` blanks. A word longer than a line gets a
 /// line of its own.
 std::string paragraph(std::string_view text, std::size_t indent = 0, std::size_t width = 100);
+
+/// An empty line, the table under its title, the sentences and the note. Empty without rows and sentences.
+std::string statementText(const Statement& statement);
+
+/// The block "Findings"; empty without findings.
+std::string findingsText(const std::vector<Finding>& findings);
 
 }  // namespace alidade::console

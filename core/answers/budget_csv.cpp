@@ -1,4 +1,4 @@
-#include "core/answers/budget_csv.h"
+#include "core/answers/csv_answers.h"
 
 #include <limits>
 #include <string_view>

@@ -4,9 +4,7 @@
 #include <charconv>
 #include <nlohmann/json.hpp>
 
-#include "core/answers/attainable_json.h"
-#include "core/answers/findings_json.h"
-#include "core/answers/forms_json.h"
+#include "core/answers/json_parts.h"
 #include "core/answers/json_text.h"
 #include "core/wording/diagnosis_sentence.h"
 #include "core/wording/measure.h"

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <optional>
 #include <string>
 #include <vector>
@@ -7,14 +8,26 @@
 #include "core/adjustment/gross_errors/suspects.h"
 #include "core/adjustment/monte_carlo/monte_carlo.h"
 #include "core/adjustment/result/session_fit.h"
-#include "core/answers/arrivals.h"
 #include "core/base/result.h"
 #include "core/diagnosis/dependence.h"
 #include "core/diagnosis/result/diagnosis.h"
 #include "core/evaluation/gap.h"
 #include "core/session/measurement.h"
+#include "core/session/session.h"
 
 namespace alidade {
+
+/// The data that an instrument sent with one row of a session.
+struct Arrival {
+  std::size_t position = 0, row = 0;
+  std::string takenAt = {}, returnCode = {}, instrumentSerial = {};
+};
+
+/// Returns the arrivals of all rows that have data from an instrument, in the order of the file.
+std::vector<Arrival> arrivalsOf(const Session& session);
+
+/// Null if the instrument sent nothing with the row.
+const Arrival* arrivalAt(const std::vector<Arrival>& arrivals, std::size_t position, std::size_t row);
 
 /// The content of the result of a rigorous fit. Must not outlive the objects it refers to.
 struct FitAnswer {

@@ -8,7 +8,7 @@
 #include "core/adjustment/joint/reliability.h"
 #include "core/adjustment/result/input_reliability.h"
 #include "core/adjustment/result/two_faces.h"
-#include "core/answers/findings_json.h"
+#include "core/answers/json_parts.h"
 #include "core/answers/json_text.h"
 #include "core/effects/cause_ids.h"
 #include "core/session/value_text.h"

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "core/adjustment/result/expected_reading.h"
@@ -28,5 +29,8 @@ struct Guidance {
 /// fitted. `uncertainty`: the intended U of Δd, mm, in a protocol by worth.
 Guidance guidanceOf(const Session& session, SightingProtocol protocol,
                     std::optional<double> uncertainty = {});
+
+/// Returns one JSON document.
+std::string guidanceJson(const std::string& session, const Guidance& guidance);
 
 }  // namespace alidade

@@ -1,9 +1,9 @@
-#include "core/answers/guidance_json.h"
+#include "core/answers/guidance_answer.h"
 
 #include <cmath>
 #include <nlohmann/json.hpp>
 
-#include "core/answers/attainable_json.h"
+#include "core/answers/json_parts.h"
 #include "core/answers/json_text.h"
 #include "core/statement/sighting_choice.h"
 #include "core/wording/guidance.h"

@@ -1,4 +1,4 @@
-#include "core/answers/residuals_csv.h"
+#include "core/answers/csv_answers.h"
 
 #include <algorithm>
 #include <limits>

@@ -1,4 +1,4 @@
-#include "core/answers/results_csv.h"
+#include "core/answers/csv_answers.h"
 
 #include <cstddef>
 #include <limits>

@@ -4,8 +4,7 @@
 #include <nlohmann/json.hpp>
 
 #include "core/answers/diagnosis_json.h"
-#include "core/answers/findings_json.h"
-#include "core/answers/forms_json.h"
+#include "core/answers/json_parts.h"
 #include "core/answers/json_text.h"
 #include "core/wording/series_words.h"
 

@@ -1,4 +1,4 @@
-#include "core/certificate/conformity.h"
+#include "core/certificate/measurement_results.h"
 
 #include <cmath>
 #include <optional>

@@ -5,8 +5,6 @@
 
 #include "core/base/phrase.h"
 #include "core/base/quantity_text.h"
-#include "core/certificate/conformity.h"
-#include "core/certificate/measuring.h"
 #include "core/certificate/quantity.h"
 #include "core/statement/result_figures.h"
 #include "core/wording/diagnosis_sentence.h"

@@ -1,4 +1,4 @@
-#include "core/certificate/measuring.h"
+#include "core/certificate/measurement_results.h"
 
 #include <algorithm>
 

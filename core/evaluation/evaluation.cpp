@@ -2,6 +2,7 @@
 
 #include <utility>
 
+#include "core/wording/findings.h"
 #include "core/wording/journal.h"
 
 namespace alidade {
@@ -90,6 +91,16 @@ Evaluation withoutSuspects(Evaluation evaluation, FailedWork failure) {
 
 Evaluation evaluate(Session session) {
   return withSuspects(evaluateFit(std::move(session)));
+}
+
+std::vector<Finding> findingsOf(const Evaluation& evaluation) {
+  std::vector<Finding> findings = inWords(evaluation.fit.findings);
+  if (evaluation.searchFailure)
+    findings.insert(findings.begin(),
+                    {.severity = Severity::Warning, .text = sentencesOf(*evaluation.searchFailure)});
+  if (evaluation.failure)
+    findings.push_back({.severity = Severity::Error, .text = sentencesOf(*evaluation.failure)});
+  return findings;
 }
 
 }  // namespace alidade

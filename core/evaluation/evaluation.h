@@ -10,6 +10,7 @@
 #include "core/adjustment/result/session_fit.h"
 #include "core/adjustment/result/two_faces.h"
 #include "core/base/failure.h"
+#include "core/base/finding.h"
 #include "core/evaluation/guide.h"
 #include "core/evaluation/next_reading.h"
 #include "core/session/measurement.h"
@@ -54,5 +55,8 @@ Evaluation failedEvaluation(Session session, FailedWork failure);
 Evaluation withoutSuspects(Evaluation evaluation, FailedWork failure);
 /// Runs `evaluateFit` and `withSuspects`.
 Evaluation evaluate(Session session);
+
+/// The findings of the fit, and why the fit or the search for suspects failed. Suspects are not included.
+std::vector<Finding> findingsOf(const Evaluation& evaluation);
 
 }  // namespace alidade

@@ -13,7 +13,7 @@
 #include "core/effects/catalogue.h"
 #include "core/effects/cause_ids.h"
 #include "core/guidance/open_plan.h"
-#include "core/simulation/protocol_template.h"
+#include "core/simulation/protocol.h"
 #include "core/simulation/trial_score.h"
 #include "core/simulation/watched_session.h"
 

@@ -1,11 +1,13 @@
 #pragma once
 
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
 #include <vector>
 
 #include "core/base/angle.h"
+#include "core/session/sighting_protocol.h"
 
 namespace alidade {
 
@@ -50,5 +52,16 @@ std::span<const Protocol> namedProtocols();
 
 /// Null if the name is unknown.
 const Protocol* protocolByName(std::string_view name);
+
+/// The readings of `simulate` for a plan, in the same order, as a protocol that a session can follow. The
+/// zeros are sighted in face 1, and also in face 2 if both faces are read.
+SightingProtocol templateOf(const Protocol& protocol);
+
+/// The protocol of a new session. It applies only until a row of the session departs from it (`isYielding`).
+/// It has the points of `paper` without slider coordinates, since these differ from device to device.
+SightingProtocol usualProtocol();
+
+/// Finds a template by its name in `simulate --protocol`; absent if the name is unknown.
+std::optional<SightingProtocol> templateNamed(std::string_view name);
 
 }  // namespace alidade

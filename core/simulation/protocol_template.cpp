@@ -1,4 +1,4 @@
-#include "core/simulation/protocol_template.h"
+#include "core/simulation/protocol.h"
 
 #include <string>
 

@@ -15,7 +15,7 @@
 #include "core/series/shared_causes/diagnose_series.h"
 #include "core/session/session_file.h"
 #include "core/simulation/sealed_truth.h"
-#include "core/wording/diagnosis_fault.h"
+#include "core/wording/diagnosis_sentence.h"
 
 namespace alidade {
 

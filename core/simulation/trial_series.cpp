@@ -14,7 +14,7 @@
 #include "core/diagnosis/diagnose.h"
 #include "core/effects/catalogue.h"
 #include "core/session/session_file.h"
-#include "core/wording/diagnosis_fault.h"
+#include "core/wording/diagnosis_sentence.h"
 
 namespace alidade {
 

@@ -8,8 +8,8 @@
 #include "core/base/phrase.h"
 #include "core/base/quantity_text.h"
 #include "core/base/visible_text.h"
-#include "core/wording/across.h"
 #include "core/wording/budget.h"
+#include "core/wording/closures.h"
 #include "core/wording/effect_name.h"
 #include "core/wording/findings.h"
 

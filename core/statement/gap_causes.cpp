@@ -8,7 +8,6 @@
 #include "core/effects/catalogue.h"
 #include "core/evaluation/remedies.h"
 #include "core/statement/gap.h"
-#include "core/wording/cause_prior.h"
 #include "core/wording/closures.h"
 #include "core/wording/diagnosis_sentence.h"
 #include "core/wording/effect_name.h"

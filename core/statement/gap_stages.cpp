@@ -4,7 +4,7 @@
 #include "core/base/quantity_text.h"
 #include "core/effects/cause_ids.h"
 #include "core/statement/gap.h"
-#include "core/wording/beyond.h"
+#include "core/wording/budget.h"
 #include "core/wording/effect_name.h"
 #include "core/wording/size_text.h"
 

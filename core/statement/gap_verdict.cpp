@@ -2,7 +2,6 @@
 #include "core/base/quantity_text.h"
 #include "core/statement/gap.h"
 #include "core/wording/closures.h"
-#include "core/wording/diagnosis_fault.h"
 #include "core/wording/diagnosis_sentence.h"
 #include "core/wording/effect_name.h"
 

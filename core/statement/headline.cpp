@@ -7,11 +7,11 @@
 #include "core/base/phrase.h"
 #include "core/base/quantity_text.h"
 #include "core/diagnosis/decision.h"
-#include "core/evaluation/findings.h"
+#include "core/evaluation/evaluation.h"
 #include "core/session/hindrance.h"
 #include "core/statement/gap.h"
 #include "core/statement/headline_lines.h"
-#include "core/wording/across.h"
+#include "core/wording/closures.h"
 #include "core/wording/journal.h"
 #include "core/wording/verdict.h"
 

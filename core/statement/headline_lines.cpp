@@ -8,7 +8,7 @@
 #include "core/base/phrase.h"
 #include "core/base/quantity_text.h"
 #include "core/effects/cause_ids.h"
-#include "core/wording/across.h"
+#include "core/wording/closures.h"
 #include "core/wording/conditions.h"
 #include "core/wording/effect_name.h"
 #include "core/wording/size_text.h"

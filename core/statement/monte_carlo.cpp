@@ -1,4 +1,4 @@
-#include "core/statement/monte_carlo.h"
+#include "core/statement/budget.h"
 
 #include <algorithm>
 #include <cmath>
@@ -7,7 +7,6 @@
 
 #include "core/base/phrase.h"
 #include "core/base/quantity_text.h"
-#include "core/statement/budget.h"
 #include "core/wording/findings.h"
 
 namespace alidade {

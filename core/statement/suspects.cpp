@@ -1,4 +1,4 @@
-#include "core/statement/suspects.h"
+#include "core/statement/reliability.h"
 
 #include "core/base/phrase.h"
 #include "core/wording/suspects.h"

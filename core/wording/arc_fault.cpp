@@ -1,4 +1,4 @@
-#include "core/wording/arc_fault.h"
+#include "core/wording/findings.h"
 
 #include "core/base/phrase.h"
 #include "core/base/quantity_text.h"

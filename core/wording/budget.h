@@ -23,4 +23,7 @@ std::string sizesText(const UncertaintyShare& share);
 /// `numbersText` with the sign of the unit: "30″", "10, 12″".
 std::string sizesWithSign(const UncertaintyShare& share);
 
+/// Names what U includes beyond the fit: "averaged over the indistinguishable causes"; empty for `Nothing`.
+std::string textOf(Beyond beyond);
+
 }  // namespace alidade

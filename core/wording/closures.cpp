@@ -1,5 +1,6 @@
 #include "core/wording/closures.h"
 
+#include <cmath>
 #include <vector>
 
 #include "core/base/list_text.h"
@@ -80,6 +81,19 @@ std::string misclosureSentence(const Diagnosis& diagnosis) {
                                                    "known values, and find the cause of the difference.",
                                                    listed(ofKnown, Phrase::of(" and ")));
   return text;
+}
+
+bool isAcrossSignificant(const MeasuredIntersection& measured) {
+  return measured.across && std::abs(measured.across->value) > measured.across->expanded;
+}
+
+std::string acrossSentence(const MeasuredIntersection& measured) {
+  if (!measured.across)
+    return Phrase::of(
+        "The offset Δz of the arc's centre from the axis, across the plane of the arc, was not measured.");
+  const auto& [value, sigma, expanded] = *measured.across;
+  return Phrase::of("The arc's centre is Δz = %1 off the axis, across the plane of the arc.",
+                    lengthWithUncertainty(value, expanded, decimalsFor(expanded)));
 }
 
 }  // namespace alidade

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "core/base/list_text.h"
 #include "core/base/phrase.h"
@@ -9,7 +10,7 @@
 #include "core/effects/cause_ids.h"
 #include "core/session/face.h"
 #include "core/wording/effect_name.h"
-#include "core/wording/known_checks.h"
+#include "core/wording/findings.h"
 #include "core/wording/position_name.h"
 
 namespace alidade {
@@ -89,6 +90,20 @@ std::string unexplained(const Diagnosis& diagnosis) {
                    "Besides %1 there is a real gap that no effect of the catalogue explains; it follows the "
                    "pattern “%2”.",
                    causes, pattern);
+}
+
+Problem kindProblem(const NoModel& fault) {
+  if (!fault.why) return {Phrase::of("there are no readings; enter the readings of the axis positions")};
+  Finding finding = inWords(*fault.why);
+  return {std::move(finding.text), std::move(finding.where)};
+}
+
+Problem kindProblem(const UnknownCause& fault) {
+  return {Phrase::of("there is no effect “%1” in the catalogue", fault.id)};
+}
+
+Problem kindProblem(const Stopped&) {
+  return {Phrase::of("the diagnosis was stopped")};
 }
 
 }  // namespace
@@ -190,6 +205,14 @@ std::string verdictSentenceOf(const Diagnosis& diagnosis) {
 std::string sentenceOf(const Diagnosis& diagnosis) {
   const std::string verdict = verdictSentenceOf(diagnosis), stale = staleSentence(diagnosis);
   return stale.empty() ? verdict : Phrase::of("%1 %2", verdict, stale);
+}
+
+Problem problemOf(const NoModel& fault) {
+  return kindProblem(fault);
+}
+
+Problem problemOf(const DiagnosisFault& fault) {
+  return std::visit([](const auto& kind) { return kindProblem(kind); }, fault);
 }
 
 }  // namespace alidade

@@ -2,7 +2,9 @@
 
 #include <string>
 
+#include "core/base/problem.h"
 #include "core/diagnosis/result/diagnosis.h"
+#include "core/diagnosis/result/diagnosis_fault.h"
 
 namespace alidade {
 
@@ -19,5 +21,15 @@ std::string sentenceOf(const Diagnosis& diagnosis);
 std::string readingName(const ReadingDeviation& reading);
 /// "+29.1″".
 std::string secondsWithSign(double arcseconds);
+
+/// Returns the reason for a missing diagnosis as a sentence, with its place in the session.
+Problem problemOf(const NoModel& fault);
+Problem problemOf(const DiagnosisFault& fault);
+
+// The comparison of known sizes with the readings, in words.
+
+/// One sentence for each effect whose known size is out of date, and for each cause that only known sizes
+/// distinguish from another. Empty without either.
+std::string staleSentence(const Diagnosis& diagnosis);
 
 }  // namespace alidade

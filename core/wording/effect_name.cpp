@@ -4,6 +4,7 @@
 
 #include "core/base/list_text.h"
 #include "core/base/phrase.h"
+#include "core/base/quantity_text.h"
 #include "core/base/visible_text.h"
 #include "core/effects/catalogue.h"
 #include "core/effects/cause_ids.h"
@@ -49,6 +50,13 @@ std::string signOf(const std::string& unit) {
   if (unit == "arcsec") return "″";
   if (unit == "deg") return "°";
   return unit == "mm" ? " mm" : "";
+}
+
+std::string plausibleSizeText(const std::string& id) {
+  const Effect* effect = effectById(id);
+  if (!effect) return "";
+  const EffectParameter& parameter = effect->parameters.front();
+  return displayShortest(parameter.plausible) + signOf(std::string(parameter.unit));
 }
 
 }  // namespace alidade

@@ -23,4 +23,8 @@ std::string withCapital(std::string text);
 /// The sign of a unit of the catalogue, with the blank before it: "″", "°", " mm"; empty for others.
 std::string signOf(const std::string& unit);
 
+/// Returns the plausible size (1σ) of a catalogue effect: "30″", "0.05 mm"; pure numbers have no unit.
+/// Empty for a jump, misread values and larger noise, which have no plausible size.
+std::string plausibleSizeText(const std::string& id);
+
 }  // namespace alidade

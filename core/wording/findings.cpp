@@ -3,9 +3,6 @@
 #include <utility>
 
 #include "core/base/phrase.h"
-#include "core/wording/arc_findings.h"
-#include "core/wording/session_findings.h"
-#include "core/wording/setup_findings.h"
 #include "core/wording/suspects.h"
 
 namespace alidade {

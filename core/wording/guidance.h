@@ -6,6 +6,7 @@
 #include "core/guidance/outlook.h"
 #include "core/guidance/sightings_to_repeat.h"
 #include "core/session/protocol_progress.h"
+#include "core/session/sighting_protocol.h"
 #include "core/wording/diagnosis_sentence.h"
 
 namespace alidade {
@@ -35,5 +36,12 @@ std::string repeatsFirst(const std::vector<SightingsToRepeat>& allToRepeat);
 /// How U decreases with the rest of the protocol and with further rounds. States the U that a verdict needs,
 /// if there is a tolerance, and whether the rounds suffice.
 std::string outlookSentences(const Outlook& outlook, const ProtocolProgress& progress);
+
+/// Describes the sightings of a protocol: "17 places, both faces, there and back, with slider readings".
+std::string protocolInWords(const SightingProtocol& protocol);
+
+/// States how far a session kept to its protocol, and names the sightings that deviate from it: "66 of 68
+/// sightings are taken. Skipped: 0°: point 5; 0°: point 6. Taken again: 180°: point 2."
+std::string deviationSentences(const ProtocolProgress& progress);
 
 }  // namespace alidade

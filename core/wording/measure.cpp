@@ -1,9 +1,26 @@
 #include "core/wording/measure.h"
 
+#include <utility>
+
 #include "core/base/list_text.h"
 #include "core/base/phrase.h"
 
 namespace alidade {
+
+namespace {
+
+bool isEasier(const AttainableUncertainty& one, const AttainableUncertainty& other) {
+  return std::pair(one.measures.size(), one.expanded) < std::pair(other.measures.size(), other.expanded);
+}
+
+}  // namespace
+
+const AttainableUncertainty* easiestMeasured(const std::vector<AttainableUncertainty>& attainable) {
+  const AttainableUncertainty* easiest = nullptr;
+  for (const AttainableUncertainty& one : attainable)
+    if (!one.measures.empty() && (!easiest || isEasier(one, *easiest))) easiest = &one;
+  return easiest;
+}
 
 std::string textOf(Measure measure) {
   switch (measure) {

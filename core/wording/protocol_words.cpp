@@ -1,4 +1,4 @@
-#include "core/wording/protocol_words.h"
+#include "core/wording/guidance.h"
 
 #include <algorithm>
 #include <set>
@@ -7,7 +7,6 @@
 #include "core/base/list_text.h"
 #include "core/base/phrase.h"
 #include "core/wording/findings.h"
-#include "core/wording/guidance.h"
 
 namespace alidade {
 

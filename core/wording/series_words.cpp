@@ -1,11 +1,12 @@
 #include "core/wording/series_words.h"
 
 #include <algorithm>
+#include <filesystem>
 
 #include "core/base/list_text.h"
 #include "core/base/phrase.h"
 #include "core/base/quantity_text.h"
-#include "core/wording/copies.h"
+#include "core/base/visible_text.h"
 #include "core/wording/effect_name.h"
 #include "core/wording/findings.h"
 #include "core/wording/form_sentence.h"
@@ -90,6 +91,12 @@ std::string together(const SeriesDiagnosis& series) {
         "%1 %2", text,
         Phrase::of("Probability of an uncatalogued effect: %1.", shortProbabilityText(series.unknownChance)));
   return text;
+}
+
+/// Returns the name of `file`, or its whole path if `other` has the same name.
+std::string distinctName(const std::string& file, const std::string& other) {
+  const std::filesystem::path name = std::filesystem::path(file).filename();
+  return wellFormed(name == std::filesystem::path(other).filename() ? file : name.string());
 }
 
 }  // namespace
@@ -191,6 +198,15 @@ std::vector<Finding> findingsOf(const SeriesDiagnosis& series) {
           Phrase::of("See what was different in that session."));
   }
   return findings;
+}
+
+std::string copyReason(const std::string& copy, const std::string& first) {
+  return Phrase::of("holds the same readings as %1: counted once", distinctName(first, copy));
+}
+
+std::string copySentence(const std::string& copy, const std::string& first) {
+  return Phrase::of("%1 holds the same readings as %2: counted once.", distinctName(copy, first),
+                    distinctName(first, copy));
 }
 
 }  // namespace alidade

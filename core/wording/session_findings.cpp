@@ -1,4 +1,4 @@
-#include "core/wording/session_findings.h"
+#include "core/wording/findings.h"
 
 #include <string>
 
@@ -6,7 +6,6 @@
 #include "core/base/phrase.h"
 #include "core/base/quantity_text.h"
 #include "core/base/visible_text.h"
-#include "core/wording/arc_fault.h"
 #include "core/wording/position_name.h"
 
 namespace alidade {

@@ -1,4 +1,4 @@
-#include "core/wording/setup_findings.h"
+#include "core/wording/findings.h"
 
 #include "core/adjustment/result/reading_step.h"
 #include "core/base/number_text.h"

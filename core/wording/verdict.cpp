@@ -5,15 +5,12 @@
 #include "core/base/number_text.h"
 #include "core/base/phrase.h"
 #include "core/base/quantity_text.h"
-#include "core/wording/across.h"
-#include "core/wording/attainable.h"
 #include "core/wording/closures.h"
 #include "core/wording/conditions.h"
 #include "core/wording/effect_name.h"
 #include "core/wording/findings.h"
 #include "core/wording/measure.h"
 #include "core/wording/position_name.h"
-#include "core/wording/setup_findings.h"
 
 namespace alidade {
 

@@ -4,7 +4,7 @@
 
 #include "core/diagnosis/diagnose.h"
 #include "core/session/session_file.h"
-#include "core/wording/diagnosis_fault.h"
+#include "core/wording/diagnosis_sentence.h"
 
 int main(int argc, char** argv) {
   using namespace alidade;

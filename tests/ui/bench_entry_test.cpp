@@ -10,7 +10,7 @@
 #include <QTest>
 
 #include "tests/ui/support.h"
-#include "ui/commands/change_field.h"
+#include "ui/commands/change_session.h"
 #include "ui/commands/edit_readings.h"
 #include "ui/entry/bench_display.h"
 #include "ui/entry/entry_guide.h"

@@ -10,8 +10,8 @@
 
 #include "core/session/session_file.h"
 #include "tests/ui/support.h"
-#include "ui/commands/change_field.h"
 #include "ui/commands/change_positions.h"
+#include "ui/commands/change_session.h"
 #include "ui/commands/edit_readings.h"
 #include "ui/dialogs/file_flow.h"
 #include "ui/entry/readings_finder.h"

@@ -19,7 +19,7 @@
 
 #include "core/session/session_file.h"
 #include "tests/ui/support.h"
-#include "ui/commands/change_field.h"
+#include "ui/commands/change_session.h"
 #include "ui/commands/edit_readings.h"
 #include "ui/document/session_template.h"
 #include "ui/panels/parts/frames.h"

@@ -15,7 +15,7 @@
 #include "core/wording/size_text.h"
 #include "tests/ui/shown_texts.h"
 #include "tests/ui/support.h"
-#include "ui/commands/change_field.h"
+#include "ui/commands/change_session.h"
 #include "ui/main_window.h"
 #include "ui/panels/parts/data_table.h"
 #include "ui/panels/readings/position_tabs.h"

@@ -7,8 +7,7 @@
 
 #include "tests/support/large_session.h"
 #include "tests/ui/support.h"
-#include "ui/commands/change_field.h"
-#include "ui/commands/change_known.h"
+#include "ui/commands/change_session.h"
 #include "ui/connection/instrument_desk.h"
 #include "ui/forms/field_edit.h"
 #include "ui/instrument/check_rows_table.h"

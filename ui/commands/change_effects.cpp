@@ -1,4 +1,4 @@
-#include "ui/commands/change_effects.h"
+#include "ui/commands/change_session.h"
 
 #include <QCoreApplication>
 #include <algorithm>
@@ -8,7 +8,6 @@
 #include "ui/document/session_document.h"
 #include "ui/text/effect_text.h"
 #include "ui/text/entry_text.h"
-#include "ui/text/list_text.h"
 
 namespace alidade::ui {
 

@@ -1,4 +1,4 @@
-#include "ui/commands/change_field.h"
+#include "ui/commands/change_session.h"
 
 #include <QCoreApplication>
 

@@ -1,4 +1,4 @@
-#include "ui/commands/change_known.h"
+#include "ui/commands/change_session.h"
 
 #include <QCoreApplication>
 #include <algorithm>

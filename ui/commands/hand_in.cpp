@@ -3,8 +3,7 @@
 #include <algorithm>
 #include <iterator>
 
-#include "ui/commands/change_field.h"
-#include "ui/commands/change_known.h"
+#include "ui/commands/change_session.h"
 #include "ui/commands/edit_readings.h"
 #include "ui/document/field.h"
 #include "ui/document/known_entry.h"

@@ -1,4 +1,4 @@
-#include "ui/commands/take_record.h"
+#include "ui/commands/change_session.h"
 
 #include <QCoreApplication>
 

@@ -6,7 +6,7 @@
 
 #include "core/base/visible_text.h"
 #include "core/session/entry.h"
-#include "ui/commands/change_field.h"
+#include "ui/commands/change_session.h"
 #include "ui/connection/connection_dialog.h"
 #include "ui/connection/connection_form.h"
 #include "ui/connection/reading_question_bar.h"

@@ -10,7 +10,7 @@
 #include "core/session/entry.h"
 #include "core/session/row_fields.h"
 #include "core/session/sighting_order.h"
-#include "ui/commands/change_field.h"
+#include "ui/commands/change_session.h"
 #include "ui/commands/replace_readings.h"
 #include "ui/document/field.h"
 #include "ui/document/session_document.h"

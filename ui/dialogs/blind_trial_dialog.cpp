@@ -12,9 +12,8 @@
 #include <initializer_list>
 
 #include "core/simulation/protocol.h"
-#include "core/simulation/protocol_template.h"
 #include "core/statement/gap.h"
-#include "core/wording/protocol_words.h"
+#include "core/wording/guidance.h"
 #include "ui/dialogs/trial_list.h"
 #include "ui/panels/gap/gap_headline.h"
 #include "ui/panels/parts/figure_grid.h"

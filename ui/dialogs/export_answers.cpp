@@ -3,13 +3,12 @@
 #include <utility>
 
 #include "core/answers/beforehand.h"
-#include "core/answers/budget_csv.h"
+#include "core/answers/csv_answers.h"
 #include "core/answers/diagnosis_json.h"
 #include "core/answers/fit_json.h"
-#include "core/answers/residuals_csv.h"
 #include "core/diagnosis/diagnose.h"
 #include "core/session/hindrance.h"
-#include "core/wording/diagnosis_fault.h"
+#include "core/wording/diagnosis_sentence.h"
 
 namespace alidade::ui {
 namespace {

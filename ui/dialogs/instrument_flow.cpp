@@ -4,7 +4,7 @@
 
 #include "core/base/clock.h"
 #include "core/session/taken_record.h"
-#include "ui/commands/take_record.h"
+#include "ui/commands/change_session.h"
 #include "ui/dialogs/dialogs.h"
 #include "ui/dialogs/written_file.h"
 #include "ui/document/encoded_path.h"

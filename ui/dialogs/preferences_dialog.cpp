@@ -13,8 +13,8 @@
 #include <QVBoxLayout>
 
 #include "core/session/protocol_progress.h"
-#include "core/wording/protocol_words.h"
-#include "ui/commands/change_protocol.h"
+#include "core/wording/guidance.h"
+#include "ui/commands/change_session.h"
 #include "ui/dialogs/dialogs.h"
 #include "ui/dialogs/logo_form.h"
 #include "ui/dialogs/paper_form.h"

@@ -21,7 +21,7 @@
 #include "ui/recovery/form_draft.h"
 #include "ui/settings/theme.h"
 #include "ui/settings/window_font.h"
-#include "ui/text/list_text.h"
+#include "ui/text/entry_text.h"
 #include "ui/text/visible_text.h"
 
 namespace alidade::ui {

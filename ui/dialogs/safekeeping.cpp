@@ -20,7 +20,6 @@
 #include "ui/recovery/half_typed_record.h"
 #include "ui/settings/theme.h"
 #include "ui/text/entry_text.h"
-#include "ui/text/list_text.h"
 #include "ui/text/visible_text.h"
 
 namespace alidade::ui {

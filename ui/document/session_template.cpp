@@ -4,7 +4,7 @@
 
 #include "core/session/session_file.h"
 #include "core/session/sighting_protocol.h"
-#include "core/simulation/protocol_template.h"
+#include "core/simulation/protocol.h"
 
 namespace alidade::ui {
 

@@ -5,7 +5,7 @@
 
 #include "core/session/entry.h"
 #include "core/session/measurement.h"
-#include "ui/commands/change_field.h"
+#include "ui/commands/change_session.h"
 #include "ui/document/field.h"
 #include "ui/document/session_document.h"
 #include "ui/text/entry_text.h"

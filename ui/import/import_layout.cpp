@@ -12,7 +12,6 @@
 #include "ui/panels/parts/dialog_parts.h"
 #include "ui/text/effect_text.h"
 #include "ui/text/entry_text.h"
-#include "ui/text/list_text.h"
 #include "ui/text/visible_text.h"
 
 namespace alidade::ui {

@@ -5,7 +5,7 @@
 #include <limits>
 
 #include "core/exchange/csv_text.h"
-#include "ui/text/list_text.h"
+#include "ui/text/entry_text.h"
 #include "ui/text/quantity_text.h"
 #include "ui/text/visible_text.h"
 

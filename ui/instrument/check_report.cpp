@@ -9,10 +9,10 @@
 #include "ui/report/painted_pdf.h"
 #include "ui/report/pdf_archive.h"
 #include "ui/report/report_parts.h"
-#include "ui/report/report_statement.h"
+#include "ui/report/report_sheet.h"
 #include "ui/report/report_text.h"
 #include "ui/text/effect_text.h"
-#include "ui/text/list_text.h"
+#include "ui/text/entry_text.h"
 #include "ui/text/visible_text.h"
 
 namespace alidade::ui {

@@ -23,7 +23,7 @@
 #include "ui/panels/gap/gap_headline.h"
 #include "ui/panels/parts/dialog_parts.h"
 #include "ui/panels/parts/figure_grid.h"
-#include "ui/panels/parts/statement_table.h"
+#include "ui/panels/parts/statement_view.h"
 #include "ui/settings/theme.h"
 #include "ui/text/effect_text.h"
 #include "ui/text/entry_text.h"

@@ -12,7 +12,7 @@
 #include "core/base/threads.h"
 #include "core/series/history/history_sentences.h"
 #include "core/series/history/series_file.h"
-#include "core/wording/copies.h"
+#include "core/wording/series_words.h"
 #include "ui/document/encoded_path.h"
 #include "ui/jobs/failed_job.h"
 

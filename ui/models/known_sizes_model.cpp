@@ -5,8 +5,8 @@
 
 #include "core/base/phrase.h"
 #include "core/session/measurement.h"
-#include "core/wording/session_findings.h"
-#include "ui/commands/change_known.h"
+#include "core/wording/findings.h"
+#include "ui/commands/change_session.h"
 #include "ui/document/session_document.h"
 #include "ui/text/accessible_place.h"
 #include "ui/text/effect_text.h"

@@ -13,7 +13,6 @@
 #include "ui/report/pdf_archive.h"
 #include "ui/report/report_parts.h"
 #include "ui/report/report_sheet.h"
-#include "ui/report/report_statement.h"
 #include "ui/report/report_text.h"
 #include "ui/text/visible_text.h"
 

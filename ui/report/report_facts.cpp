@@ -6,7 +6,7 @@
 #include "core/observation/visits.h"
 #include "core/session/row_fields.h"
 #include "ui/report/report_text.h"
-#include "ui/text/list_text.h"
+#include "ui/text/entry_text.h"
 #include "ui/text/visible_text.h"
 
 namespace alidade::ui {

@@ -2,7 +2,7 @@
 
 #include "core/statement/gap.h"
 #include "ui/report/report_parts.h"
-#include "ui/report/report_statement.h"
+#include "ui/report/report_sheet.h"
 #include "ui/report/report_text.h"
 #include "ui/text/visible_text.h"
 

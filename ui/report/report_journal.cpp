@@ -1,6 +1,6 @@
 #include "core/statement/journal.h"
 #include "ui/report/report_parts.h"
-#include "ui/report/report_statement.h"
+#include "ui/report/report_sheet.h"
 #include "ui/text/journal_text.h"
 
 namespace alidade::ui {

@@ -12,11 +12,9 @@
 #include "ui/report/report_table.h"
 #include "ui/report/report_text.h"
 #include "ui/text/entry_text.h"
-#include "ui/text/list_text.h"
 #include "ui/text/position_text.h"
 #include "ui/text/quantity_text.h"
 #include "ui/text/visible_text.h"
-#include "ui/text/zero_text.h"
 
 namespace alidade::ui {
 namespace {

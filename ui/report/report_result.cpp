@@ -4,13 +4,13 @@
 #include <algorithm>
 #include <functional>
 
-#include "core/evaluation/findings.h"
+#include "core/evaluation/evaluation.h"
 #include "core/statement/arcs.h"
 #include "core/statement/budget.h"
 #include "core/statement/headline.h"
 #include "core/statement/two_faces.h"
 #include "ui/charts/plotting/tolerance_picture.h"
-#include "ui/report/report_statement.h"
+#include "ui/report/report_sheet.h"
 #include "ui/report/report_text.h"
 #include "ui/text/accessible_place.h"
 #include "ui/text/entry_text.h"

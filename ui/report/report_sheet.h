@@ -9,6 +9,7 @@
 #include <utility>
 #include <vector>
 
+#include "core/statement/statement.h"
 #include "ui/report/report_pages.h"
 #include "ui/report/text_style.h"
 
@@ -124,5 +125,9 @@ class ReportSheet {
   std::function<bool(double done)> m_watch;
   ReportPages m_pages;
 };
+
+/// A section: the title, the table over the whole width with totals in bold, sentences and note. Draws
+/// nothing if there are neither rows nor sentences.
+void addStatement(ReportSheet& sheet, const Statement& statement);
 
 }  // namespace alidade::ui

@@ -1,4 +1,4 @@
-#include "ui/report/report_statement.h"
+#include "ui/report/report_sheet.h"
 
 #include <algorithm>
 #include <numeric>

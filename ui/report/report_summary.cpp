@@ -3,13 +3,13 @@
 #include <QPainter>
 #include <algorithm>
 
-#include "core/evaluation/findings.h"
-#include "core/statement/suspects.h"
-#include "core/wording/known_checks.h"
+#include "core/evaluation/evaluation.h"
+#include "core/statement/reliability.h"
+#include "core/wording/diagnosis_sentence.h"
 #include "core/wording/suspects.h"
 #include "ui/report/report_facts.h"
 #include "ui/report/report_parts.h"
-#include "ui/report/report_statement.h"
+#include "ui/report/report_sheet.h"
 #include "ui/report/report_text.h"
 #include "ui/text/cause_text.h"
 #include "ui/text/entry_text.h"

@@ -10,7 +10,6 @@
 #include "ui/report/painted_pdf.h"
 #include "ui/report/pdf_archive.h"
 #include "ui/report/report_sheet.h"
-#include "ui/report/report_statement.h"
 #include "ui/report/report_text.h"
 #include "ui/self_test/window_checks.h"
 #include "ui/text/visible_text.h"

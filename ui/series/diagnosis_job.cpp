@@ -4,7 +4,7 @@
 #include "core/series/shared_causes/diagnose_series.h"
 #include "core/session/hindrance.h"
 #include "core/session/session_file.h"
-#include "core/wording/diagnosis_fault.h"
+#include "core/wording/diagnosis_sentence.h"
 #include "ui/jobs/failed_job.h"
 
 namespace alidade::ui {

@@ -16,7 +16,6 @@
 #include "ui/panels/parts/frames.h"
 #include "ui/text/cause_text.h"
 #include "ui/text/entry_text.h"
-#include "ui/text/list_text.h"
 #include "ui/text/visible_text.h"
 
 namespace alidade::ui {

@@ -18,7 +18,7 @@
 #include "ui/panels/parts/dialog_parts.h"
 #include "ui/panels/parts/figure_grid.h"
 #include "ui/panels/parts/frames.h"
-#include "ui/panels/parts/statement_table.h"
+#include "ui/panels/parts/statement_view.h"
 #include "ui/series/history_chart.h"
 #include "ui/series/history_choices.h"
 #include "ui/text/entry_text.h"

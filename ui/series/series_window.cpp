@@ -31,7 +31,6 @@
 #include "ui/series/history_chart.h"
 #include "ui/series/history_panel.h"
 #include "ui/text/entry_text.h"
-#include "ui/text/list_text.h"
 #include "ui/text/visible_text.h"
 
 namespace alidade::ui {

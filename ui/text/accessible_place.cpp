@@ -9,7 +9,6 @@
 #include "ui/document/reading_column.h"
 #include "ui/text/entry_text.h"
 #include "ui/text/known_text.h"
-#include "ui/text/list_text.h"
 #include "ui/text/position_text.h"
 #include "ui/text/visible_text.h"
 

@@ -2,7 +2,6 @@
 
 #include "core/wording/effect_name.h"
 #include "ui/text/entry_text.h"
-#include "ui/text/list_text.h"
 #include "ui/text/quantity_text.h"
 
 namespace alidade::ui {

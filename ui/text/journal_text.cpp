@@ -10,7 +10,6 @@
 #include "ui/document/reading_column.h"
 #include "ui/text/accessible_place.h"
 #include "ui/text/entry_text.h"
-#include "ui/text/list_text.h"
 #include "ui/text/visible_text.h"
 
 namespace alidade::ui {

@@ -6,7 +6,6 @@
 #include "core/effects/known_sizes.h"
 #include "ui/text/effect_text.h"
 #include "ui/text/entry_text.h"
-#include "ui/text/list_text.h"
 #include "ui/text/visible_text.h"
 
 namespace alidade::ui {

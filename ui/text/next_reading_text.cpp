@@ -11,7 +11,6 @@
 #include "core/wording/guidance.h"
 #include "ui/text/effect_text.h"
 #include "ui/text/entry_text.h"
-#include "ui/text/list_text.h"
 #include "ui/text/position_text.h"
 #include "ui/text/quantity_text.h"
 #include "ui/text/visible_text.h"

@@ -3,6 +3,7 @@
 #include <QString>
 #include <cstddef>
 
+#include "core/session/measurement.h"
 #include "core/session/session.h"
 #include "core/wording/position_name.h"
 #include "ui/text/entry_text.h"
@@ -19,5 +20,9 @@ QString positionText(const Session& session, std::size_t position);
 
 /// The name of a sighting: "Axis at 0°, point 3, round 1, face 2".
 QString sightingText(int axisDeg, int repeat, int point, int round, int face);
+
+/// The mean of a pointing zero with its σ and the movement of the zero. `position`: index in the session.
+/// Empty for a position that is not evaluated, and for a single sighting unless face 2 was ignored.
+QString meanZeroText(const Examined& examined, std::size_t position);
 
 }  // namespace alidade::ui

@@ -10,7 +10,6 @@
 #include "ui/text/effect_text.h"
 #include "ui/text/entry_text.h"
 #include "ui/text/known_text.h"
-#include "ui/text/list_text.h"
 
 namespace alidade::ui {
 

@@ -8,7 +8,6 @@
 #include "ui/text/cause_text.h"
 #include "ui/text/effect_text.h"
 #include "ui/text/entry_text.h"
-#include "ui/text/list_text.h"
 #include "ui/text/position_text.h"
 #include "ui/text/quantity_text.h"
 

@@ -1,4 +1,4 @@
-#include "ui/text/zero_text.h"
+#include "ui/text/position_text.h"
 
 #include <QCoreApplication>
 #include <algorithm>

@@ -1,8 +1,7 @@
 #include <numeric>
 
 #include "core/diagnosis/kept_form.h"
-#include "ui/commands/change_effects.h"
-#include "ui/commands/change_field.h"
+#include "ui/commands/change_session.h"
 #include "ui/commands/edit_readings.h"
 #include "ui/document/session_document.h"
 #include "ui/panels/gap/gap_panel.h"

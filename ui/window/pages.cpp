@@ -6,7 +6,7 @@
 #include "core/session/own_effects.h"
 #include "ui/charts/residuals/residual_chart.h"
 #include "ui/charts/residuals/residual_page.h"
-#include "ui/commands/change_effects.h"
+#include "ui/commands/change_session.h"
 #include "ui/dialogs/dialogs.h"
 #include "ui/dialogs/file_flow.h"
 #include "ui/dialogs/instrument_flow.h"

@@ -28,8 +28,8 @@
 #include "core/effects/cause_ids.h"
 #include "core/evaluation/gap.h"
 #include "core/series/shared_causes/diagnose_series.h"
-#include "core/wording/copies.h"
-#include "core/wording/diagnosis_fault.h"
+#include "core/wording/diagnosis_sentence.h"
+#include "core/wording/series_words.h"
 
 namespace alidade::console {
 

@@ -4,8 +4,8 @@
 #include <filesystem>
 #include <nlohmann/json.hpp>
 
-#include "app/console/forms_text.h"
-#include "core/answers/forms_json.h"
+#include "app/console/diagnosis_text.h"
+#include "core/answers/json_parts.h"
 #include "core/answers/json_text.h"
 #include "core/base/file_bytes.h"
 #include "core/base/visible_text.h"

@@ -13,10 +13,8 @@
 #include "core/adjustment/monte_carlo/monte_carlo.h"
 #include "core/adjustment/result/session_fit.h"
 #include "core/answers/beforehand.h"
-#include "core/answers/budget_csv.h"
+#include "core/answers/csv_answers.h"
 #include "core/answers/fit_json.h"
-#include "core/answers/residuals_csv.h"
-#include "core/answers/results_csv.h"
 #include "core/diagnosis/diagnose.h"
 
 namespace alidade::console {

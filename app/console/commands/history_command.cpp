@@ -21,7 +21,7 @@
 #include "core/series/history/series_file.h"
 #include "core/session/instrument_record.h"
 #include "core/session/session_file.h"
-#include "core/wording/copies.h"
+#include "core/wording/series_words.h"
 
 namespace alidade::console {
 

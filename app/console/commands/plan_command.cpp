@@ -3,13 +3,13 @@
 #include <CLI/CLI.hpp>
 #include <utility>
 
+#include "app/console/guidance_text.h"
 #include "app/console/own_effect_files.h"
-#include "app/console/plan_text.h"
 #include "app/console/session_input.h"
 #include "core/answers/beforehand.h"
 #include "core/session/protocol_progress.h"
 #include "core/simulation/planned_session.h"
-#include "core/wording/diagnosis_fault.h"
+#include "core/wording/diagnosis_sentence.h"
 
 namespace alidade::console {
 

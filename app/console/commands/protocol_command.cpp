@@ -18,7 +18,7 @@
 #include "core/session/protocol_progress.h"
 #include "core/session/session_file.h"
 #include "core/simulation/planned_session.h"
-#include "core/simulation/protocol_template.h"
+#include "core/simulation/protocol.h"
 
 namespace alidade::console {
 

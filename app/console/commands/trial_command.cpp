@@ -6,7 +6,6 @@
 #include "app/console/adaptive_trial_text.h"
 #include "app/console/commands/option_checks.h"
 #include "app/console/own_effect_files.h"
-#include "app/console/series_trial_text.h"
 #include "app/console/trial_text.h"
 #include "core/simulation/protocol.h"
 

@@ -5,7 +5,6 @@
 #include <iterator>
 
 #include "core/adjustment/arc/first_fit.h"
-#include "core/adjustment/result/arc_findings.h"
 #include "core/adjustment/result/session_findings.h"
 #include "core/adjustment/result/setup_findings.h"
 #include "core/base/threads.h"

@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "core/diagnosis/candidates/candidates.h"
-#include "core/diagnosis/forms/form_trace.h"
+#include "core/diagnosis/forms/found_form.h"
 
 namespace alidade {
 

@@ -9,7 +9,7 @@
 
 #include "core/base/statistics.h"
 #include "core/diagnosis/forms/find_forms.h"
-#include "core/diagnosis/forms/form_trace.h"
+#include "core/diagnosis/forms/found_form.h"
 #include "core/diagnosis/forms/held_out_forms.h"
 #include "core/diagnosis/result/thresholds.h"
 #include "core/diagnosis/search/explained_model.h"

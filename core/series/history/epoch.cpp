@@ -10,7 +10,7 @@
 #include "core/session/readings_digest.h"
 #include "core/session/session_file.h"
 #include "core/statement/headline.h"
-#include "core/wording/diagnosis_fault.h"
+#include "core/wording/diagnosis_sentence.h"
 
 namespace alidade {
 

@@ -3,7 +3,7 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
-#include "core/answers/findings_json.h"
+#include "core/answers/json_parts.h"
 #include "core/answers/json_text.h"
 #include "core/exchange/csv_text.h"
 #include "core/series/instrument_check/check_statement.h"

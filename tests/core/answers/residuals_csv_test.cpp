@@ -1,10 +1,9 @@
-#include "core/answers/residuals_csv.h"
+#include "core/answers/csv_answers.h"
 
 #include <gtest/gtest.h>
 
 #include <map>
 
-#include "core/answers/budget_csv.h"
 #include "core/diagnosis/diagnose.h"
 #include "core/exchange/csv_table.h"
 #include "core/simulation/simulate.h"

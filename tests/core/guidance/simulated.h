@@ -4,7 +4,7 @@
 #include <string>
 
 #include "core/session/protocol_progress.h"
-#include "core/simulation/protocol_template.h"
+#include "core/simulation/protocol.h"
 #include "core/simulation/simulate.h"
 
 namespace alidade::test {

@@ -12,7 +12,7 @@
 #include "core/session/measurement.h"
 #include "core/simulation/protocol.h"
 #include "core/simulation/simulate.h"
-#include "core/wording/known_checks.h"
+#include "core/wording/diagnosis_sentence.h"
 
 namespace alidade {
 namespace {

@@ -1,4 +1,4 @@
-#include "core/statement/monte_carlo.h"
+#include "core/statement/budget.h"
 
 #include <gmock/gmock.h>
 

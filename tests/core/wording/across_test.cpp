@@ -1,4 +1,4 @@
-#include "core/wording/across.h"
+#include "core/wording/closures.h"
 
 #include <gtest/gtest.h>
 

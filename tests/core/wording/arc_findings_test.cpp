@@ -1,4 +1,4 @@
-#include "core/wording/arc_findings.h"
+#include "core/wording/findings.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "core/wording/attainable.h"
+#include "core/wording/measure.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "core/wording/beyond.h"
+#include "core/wording/budget.h"
 
 #include <gtest/gtest.h>
 

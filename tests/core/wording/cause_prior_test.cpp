@@ -1,4 +1,4 @@
-#include "core/wording/cause_prior.h"
+#include "core/wording/effect_name.h"
 
 #include <gtest/gtest.h>
 

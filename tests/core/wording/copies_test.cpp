@@ -1,4 +1,4 @@
-#include "core/wording/copies.h"
+#include "core/wording/series_words.h"
 
 #include <gtest/gtest.h>
 

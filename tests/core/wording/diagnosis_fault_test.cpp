@@ -1,4 +1,4 @@
-#include "core/wording/diagnosis_fault.h"
+#include "core/wording/diagnosis_sentence.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

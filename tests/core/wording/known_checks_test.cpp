@@ -1,4 +1,4 @@
-#include "core/wording/known_checks.h"
+#include "core/wording/diagnosis_sentence.h"
 
 #include <gtest/gtest.h>
 

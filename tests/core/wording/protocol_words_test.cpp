@@ -1,8 +1,8 @@
-#include "core/wording/protocol_words.h"
+#include "core/wording/guidance.h"
 
 #include <gtest/gtest.h>
 
-#include "core/simulation/protocol_template.h"
+#include "core/simulation/protocol.h"
 
 namespace alidade {
 namespace {

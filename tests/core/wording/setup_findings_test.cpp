@@ -1,4 +1,4 @@
-#include "core/wording/setup_findings.h"
+#include "core/wording/findings.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

@@ -13,7 +13,7 @@
 
 #include "core/session/session_file.h"
 #include "tests/ui/support.h"
-#include "ui/commands/change_field.h"
+#include "ui/commands/change_session.h"
 #include "ui/document/session_document.h"
 #include "ui/main_window.h"
 #include "ui/panels/readings/position_tabs.h"

@@ -6,9 +6,8 @@
 
 #include "core/session/journal.h"
 #include "tests/ui/support.h"
-#include "ui/commands/change_effects.h"
-#include "ui/commands/change_field.h"
 #include "ui/commands/change_positions.h"
+#include "ui/commands/change_session.h"
 #include "ui/commands/edit_readings.h"
 #include "ui/commands/session_commands.h"
 #include "ui/document/session_document.h"

@@ -10,7 +10,6 @@
 #include "core/session/measurement.h"
 #include "core/session/row_fields.h"
 #include "core/simulation/protocol.h"
-#include "core/simulation/protocol_template.h"
 #include "core/simulation/simulate.h"
 #include "tests/ui/connection/landing_window.h"
 

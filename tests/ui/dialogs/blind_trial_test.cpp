@@ -10,7 +10,7 @@
 
 #include "core/simulation/trial_series.h"
 #include "tests/ui/support.h"
-#include "ui/commands/change_field.h"
+#include "ui/commands/change_session.h"
 #include "ui/dialogs/blind_trial_dialog.h"
 #include "ui/main_window.h"
 #include "ui/panels/gap/gap_panel.h"

@@ -16,7 +16,7 @@
 #include "core/base/file_bytes.h"
 #include "core/session/session_file.h"
 #include "tests/ui/support.h"
-#include "ui/commands/change_field.h"
+#include "ui/commands/change_session.h"
 #include "ui/dialogs/dialogs.h"
 #include "ui/dialogs/recovery_dialog.h"
 #include "ui/main_window.h"

@@ -11,7 +11,7 @@
 
 #include "core/session/session_file.h"
 #include "tests/ui/support.h"
-#include "ui/commands/change_field.h"
+#include "ui/commands/change_session.h"
 #include "ui/commands/edit_readings.h"
 #include "ui/import/import_page.h"
 #include "ui/main_window.h"

@@ -17,8 +17,8 @@
 #include <QTest>
 
 #include "core/session/sighting_protocol.h"
-#include "core/simulation/protocol_template.h"
-#include "core/wording/protocol_words.h"
+#include "core/simulation/protocol.h"
+#include "core/wording/guidance.h"
 #include "tests/ui/support.h"
 #include "ui/dialogs/file_flow.h"
 #include "ui/document/session_template.h"

@@ -7,7 +7,7 @@
 #include <QTemporaryDir>
 
 #include "core/session/sighting_protocol.h"
-#include "core/simulation/protocol_template.h"
+#include "core/simulation/protocol.h"
 #include "tests/ui/support.h"
 #include "ui/connection/connection_dialog.h"
 #include "ui/connection/instrument_desk.h"

@@ -12,7 +12,7 @@
 #include "core/session/session_file.h"
 #include "tests/ui/report/printed.h"
 #include "tests/ui/support.h"
-#include "ui/commands/change_field.h"
+#include "ui/commands/change_session.h"
 #include "ui/commands/edit_readings.h"
 #include "ui/main_window.h"
 #include "ui/report/report_choice.h"

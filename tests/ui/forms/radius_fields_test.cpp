@@ -9,7 +9,7 @@
 #include "core/adjustment/result/session_fit.h"
 #include "core/session/session_file.h"
 #include "tests/ui/support.h"
-#include "ui/commands/change_field.h"
+#include "ui/commands/change_session.h"
 #include "ui/forms/field_edit.h"
 #include "ui/main_window.h"
 

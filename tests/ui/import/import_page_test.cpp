@@ -26,7 +26,7 @@
 #include "core/session/session_file.h"
 #include "tests/ui/shown_texts.h"
 #include "tests/ui/support.h"
-#include "ui/commands/change_field.h"
+#include "ui/commands/change_session.h"
 #include "ui/import/import_files.h"
 #include "ui/main_window.h"
 

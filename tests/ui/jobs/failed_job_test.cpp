@@ -18,7 +18,7 @@
 #include "core/statement/gap.h"
 #include "tests/ui/failing_memory.h"
 #include "tests/ui/support.h"
-#include "ui/commands/change_field.h"
+#include "ui/commands/change_session.h"
 #include "ui/jobs/simulation_job.h"
 #include "ui/jobs/trial_job.h"
 #include "ui/main_window.h"

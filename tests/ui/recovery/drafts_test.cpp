@@ -12,7 +12,7 @@
 #include <QTemporaryDir>
 #include <QTest>
 
-#include "core/simulation/protocol_template.h"
+#include "core/simulation/protocol.h"
 #include "tests/ui/support.h"
 #include "ui/dialogs/protocol_dialog.h"
 #include "ui/dialogs/report_dialog.h"

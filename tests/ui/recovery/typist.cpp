@@ -6,7 +6,7 @@
 #include <chrono>
 #include <string>
 
-#include "ui/commands/change_field.h"
+#include "ui/commands/change_session.h"
 #include "ui/main_window.h"
 
 namespace alidade::ui {

@@ -12,10 +12,10 @@
 #include <QXmlStreamReader>
 #include <algorithm>
 
-#include "core/evaluation/findings.h"
+#include "core/evaluation/evaluation.h"
 #include "core/session/session_file.h"
 #include "core/session/sighting_protocol.h"
-#include "core/simulation/protocol_template.h"
+#include "core/simulation/protocol.h"
 #include "core/simulation/simulate.h"
 #include "core/statement/budget.h"
 #include "core/statement/gap.h"

@@ -13,7 +13,7 @@
 #include "tests/ui/shown_texts.h"
 #include "tests/ui/support.h"
 #include "ui/main_window.h"
-#include "ui/panels/parts/statement_table.h"
+#include "ui/panels/parts/statement_view.h"
 #include "ui/series/history_chart.h"
 #include "ui/window/side_windows.h"
 

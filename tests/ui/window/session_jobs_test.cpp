@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "tests/ui/support.h"
-#include "ui/commands/change_field.h"
+#include "ui/commands/change_session.h"
 #include "ui/document/session_document.h"
 
 namespace alidade::ui {

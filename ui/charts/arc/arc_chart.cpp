@@ -4,7 +4,7 @@
 
 #include "core/evaluation/evaluation.h"
 #include "ui/charts/arc/arc_plot.h"
-#include "ui/charts/plotting/row_menu.h"
+#include "ui/charts/plotting/row_choice.h"
 
 namespace alidade::ui {
 

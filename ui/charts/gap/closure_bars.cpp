@@ -11,7 +11,6 @@
 #include "core/wording/closures.h"
 #include "ui/charts/plotting/plot_style.h"
 #include "ui/text/entry_text.h"
-#include "ui/text/list_text.h"
 #include "ui/text/quantity_text.h"
 
 namespace alidade::ui {

@@ -8,7 +8,6 @@
 #include "ui/charts/plotting/plot_style.h"
 #include "ui/settings/theme.h"
 #include "ui/text/entry_text.h"
-#include "ui/text/list_text.h"
 #include "ui/text/quantity_text.h"
 
 namespace alidade::ui {

@@ -1,7 +1,7 @@
 #include "ui/charts/plotting/plot_accessible.h"
 
 #include "ui/charts/plotting/plot_widget.h"
-#include "ui/text/list_text.h"
+#include "ui/text/entry_text.h"
 
 namespace alidade::ui {
 namespace {

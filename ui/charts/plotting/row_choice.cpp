@@ -5,7 +5,7 @@
 #include <algorithm>
 
 #include "core/session/face.h"
-#include "ui/text/list_text.h"
+#include "ui/text/entry_text.h"
 
 namespace alidade::ui {
 namespace {

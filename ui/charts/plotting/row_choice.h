@@ -1,8 +1,14 @@
 #pragma once
 
 #include <QString>
+#include <functional>
 #include <optional>
 #include <vector>
+
+#include "ui/charts/plotting/legend.h"
+
+class QAction;
+class QMenu;
 
 namespace alidade::ui {
 
@@ -50,5 +56,17 @@ class RowSlots {
   std::vector<int> m_rounds, m_faces;
   std::size_t m_count = 1;
 };
+
+/// Legend entries on rounds and faces: the stroke of face 2, rounds side by side, and the choice if only some
+/// are drawn. Empty for one round in face 1.
+std::vector<LegendEntry> rowEntries(const PlotStyle& style, const RowKinds& kinds, const RowChoice& choice,
+                                    bool areApart);
+
+/// Adds a checkable entry, alone or as one of several.
+QAction* addChoice(QMenu& menu, const QString& text, bool isChosen, const std::function<void()>& choose);
+
+/// Adds menus for the rounds and for the faces in `kinds` if there are several. `choose` receives the choice.
+void addRowChoices(QMenu& menu, const RowKinds& kinds, const RowChoice& choice,
+                   const std::function<void(const RowChoice&)>& choose);
 
 }  // namespace alidade::ui

@@ -1,4 +1,4 @@
-#include "ui/charts/plotting/row_entries.h"
+#include "ui/charts/plotting/row_choice.h"
 
 #include <QCoreApplication>
 

@@ -1,4 +1,4 @@
-#include "ui/charts/plotting/row_menu.h"
+#include "ui/charts/plotting/row_choice.h"
 
 #include <QCoreApplication>
 #include <QMenu>

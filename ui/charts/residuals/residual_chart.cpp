@@ -3,7 +3,7 @@
 #include <QMenu>
 
 #include "core/evaluation/evaluation.h"
-#include "ui/charts/plotting/row_menu.h"
+#include "ui/charts/plotting/row_choice.h"
 #include "ui/charts/residuals/residual_plot.h"
 
 namespace alidade::ui {

@@ -7,8 +7,8 @@
 
 #include "core/exchange/csv_text.h"
 #include "ui/charts/plotting/clipping.h"
-#include "ui/charts/plotting/row_entries.h"
-#include "ui/text/list_text.h"
+#include "ui/charts/plotting/row_choice.h"
+#include "ui/text/entry_text.h"
 #include "ui/text/position_text.h"
 #include "ui/text/quantity_text.h"
 

@@ -2,8 +2,8 @@
 
 #include <QMenu>
 
-#include "core/simulation/protocol_template.h"
-#include "core/wording/protocol_words.h"
+#include "core/simulation/protocol.h"
+#include "core/wording/guidance.h"
 #include "ui/text/effect_text.h"
 #include "ui/text/entry_text.h"
 

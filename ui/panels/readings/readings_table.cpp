@@ -13,7 +13,7 @@
 #include "ui/panels/readings/reading_delegate.h"
 #include "ui/panels/readings/reason_line.h"
 #include "ui/settings/window_font.h"
-#include "ui/text/list_text.h"
+#include "ui/text/entry_text.h"
 #include "ui/text/visible_text.h"
 
 namespace alidade::ui {

@@ -8,7 +8,7 @@
 #include "ui/document/session_document.h"
 #include "ui/models/next_entry.h"
 #include "ui/settings/window_font.h"
-#include "ui/text/zero_text.h"
+#include "ui/text/position_text.h"
 
 namespace alidade::ui {
 

@@ -5,7 +5,7 @@
 #include <iterator>
 #include <utility>
 
-#include "core/evaluation/findings.h"
+#include "core/evaluation/evaluation.h"
 #include "core/wording/findings.h"
 #include "ui/document/field.h"
 #include "ui/document/known_entry.h"
@@ -14,7 +14,6 @@
 #include "ui/text/accessible_place.h"
 #include "ui/text/effect_text.h"
 #include "ui/text/entry_text.h"
-#include "ui/text/list_text.h"
 #include "ui/text/visible_text.h"
 
 namespace alidade::ui {

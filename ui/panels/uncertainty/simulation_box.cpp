@@ -9,7 +9,7 @@
 #include <algorithm>
 #include <initializer_list>
 
-#include "core/statement/monte_carlo.h"
+#include "core/statement/budget.h"
 #include "ui/document/session_document.h"
 #include "ui/panels/parts/figure_grid.h"
 #include "ui/panels/parts/statement_view.h"

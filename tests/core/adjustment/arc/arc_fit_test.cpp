@@ -5,7 +5,7 @@
 
 #include <cmath>
 
-#include "core/wording/arc_fault.h"
+#include "core/wording/findings.h"
 #include "tests/support/paper_table.h"
 #include "tests/support/perfect_session.h"
 

@@ -7,7 +7,7 @@
 #include <cmath>
 
 #include "core/adjustment/result/session_fit.h"
-#include "core/wording/arc_fault.h"
+#include "core/wording/findings.h"
 #include "tests/support/high_precision.h"
 
 namespace alidade {

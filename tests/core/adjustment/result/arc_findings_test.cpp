@@ -1,4 +1,4 @@
-#include "core/adjustment/result/arc_findings.h"
+#include "core/adjustment/result/session_findings.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

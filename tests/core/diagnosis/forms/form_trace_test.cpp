@@ -1,4 +1,4 @@
-#include "core/diagnosis/forms/form_trace.h"
+#include "core/diagnosis/forms/found_form.h"
 
 #include <gtest/gtest.h>
 

@@ -18,7 +18,7 @@
 #include "tests/ui/support.h"
 #include "ui/charts/gap/closure_bars.h"
 #include "ui/charts/gap/gap_map.h"
-#include "ui/commands/change_field.h"
+#include "ui/commands/change_session.h"
 #include "ui/jobs/trial_job.h"
 #include "ui/main_window.h"
 #include "ui/panels/gap/gap_panel.h"

@@ -9,7 +9,7 @@
 
 #include "core/statement/journal.h"
 #include "tests/ui/support.h"
-#include "ui/commands/change_field.h"
+#include "ui/commands/change_session.h"
 #include "ui/commands/edit_readings.h"
 #include "ui/commands/session_commands.h"
 #include "ui/document/session_document.h"

@@ -8,7 +8,7 @@
 #include "core/effects/catalogue.h"
 #include "core/session/session_file.h"
 #include "tests/ui/support.h"
-#include "ui/commands/change_effects.h"
+#include "ui/commands/change_session.h"
 #include "ui/main_window.h"
 #include "ui/panels/model/effects_panel.h"
 #include "ui/panels/window/page_tabs.h"

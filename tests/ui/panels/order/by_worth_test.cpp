@@ -11,11 +11,11 @@
 
 #include "core/answers/guidance_answer.h"
 #include "core/session/protocol_progress.h"
-#include "core/simulation/protocol_template.h"
+#include "core/simulation/protocol.h"
 #include "core/simulation/simulate.h"
 #include "core/statement/sightings_ahead.h"
 #include "tests/ui/support.h"
-#include "ui/commands/change_protocol.h"
+#include "ui/commands/change_session.h"
 #include "ui/dialogs/protocol_dialog.h"
 #include "ui/entry/entry_guide.h"
 #include "ui/main_window.h"

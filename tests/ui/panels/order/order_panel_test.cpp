@@ -13,10 +13,10 @@
 
 #include "core/base/angle_text.h"
 #include "core/session/protocol_progress.h"
-#include "core/simulation/protocol_template.h"
+#include "core/simulation/protocol.h"
 #include "core/simulation/simulate.h"
 #include "tests/ui/support.h"
-#include "ui/commands/change_protocol.h"
+#include "ui/commands/change_session.h"
 #include "ui/commands/edit_readings.h"
 #include "ui/dialogs/protocol_dialog.h"
 #include "ui/entry/entry_guide.h"

@@ -10,7 +10,7 @@
 #include <algorithm>
 
 #include "tests/ui/support.h"
-#include "ui/commands/change_field.h"
+#include "ui/commands/change_session.h"
 #include "ui/commands/edit_readings.h"
 #include "ui/main_window.h"
 #include "ui/models/readings_model.h"

@@ -4,7 +4,7 @@
 
 #include "core/evaluation/gap.h"
 #include "core/statement/budget.h"
-#include "core/wording/across.h"
+#include "core/wording/closures.h"
 #include "tests/ui/support.h"
 #include "ui/document/session_document.h"
 #include "ui/main_window.h"

@@ -8,10 +8,10 @@
 #include <QTest>
 #include <algorithm>
 
-#include "core/statement/monte_carlo.h"
+#include "core/statement/budget.h"
 #include "tests/ui/report/printed.h"
 #include "tests/ui/support.h"
-#include "ui/commands/change_field.h"
+#include "ui/commands/change_session.h"
 #include "ui/commands/edit_readings.h"
 #include "ui/main_window.h"
 #include "ui/panels/readings/readings_table.h"

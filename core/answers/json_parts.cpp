@@ -1,11 +1,27 @@
-#include "core/answers/forms_json.h"
+#include "core/answers/json_parts.h"
 
 #include <cmath>
 #include <nlohmann/json.hpp>
 
+#include "core/wording/measure.h"
+
 namespace alidade {
 
 namespace {
+
+using Json = nlohmann::ordered_json;
+
+std::string severityName(Severity severity) {
+  switch (severity) {
+    case Severity::Note:
+      return "note";
+    case Severity::Warning:
+      return "warning";
+    case Severity::Error:
+      return "error";
+  }
+  return "";
+}
 
 using FormDocument = nlohmann::ordered_json;
 
@@ -34,6 +50,24 @@ FormDocument parametersDocument(const FoundForm& found) {
 }
 
 }  // namespace
+
+Json findingsJson(const std::vector<Finding>& findings) {
+  Json list = Json::array();
+  for (const Finding& finding : findings) {
+    list.push_back({{"severity", severityName(finding.severity)},
+                    {"text", finding.text},
+                    {"remedy", finding.remedy},
+                    {"where", finding.where.path()}});
+  }
+  return list;
+}
+
+nlohmann::ordered_json attainableJson(const std::vector<AttainableUncertainty>& attainable) {
+  auto json = nlohmann::ordered_json::array();
+  for (const AttainableUncertainty& one : attainable)
+    json.push_back({{"measure", textOf(one.measures)}, {"known", one.known}, {"expanded_mm", one.expanded}});
+  return json;
+}
 
 nlohmann::ordered_json formDocument(const FoundForm& found) {
   FormDocument json = kindDocument(found.form);
