@@ -64,7 +64,7 @@ bool isWhole(double number, double least) {
   return number >= least && number == std::floor(number) && number < 1e9;
 }
 
-constexpr const char* repeatToo = ", and where the axis is measured again the how many-th time is meant";
+constexpr const char* repeatToo = ", and the number of the position at that axis, if not its first";
 
 /// True for `count` numbers that begin with an axis, or for one more number: the repeat at that axis.
 bool areOfAxis(const Numbers& numbers, std::size_t count) {

@@ -102,12 +102,6 @@ std::optional<Problem> checkZeros(const ImportRequest& request, const ImportOpti
   return problem;
 }
 
-AngleUnit unitOf(const std::string& name) {
-  if (name == "gon") return AngleUnit::Gon;
-  if (name == "deg") return AngleUnit::Degrees;
-  return name == "dms" ? AngleUnit::Dms : AngleUnit::Unstated;
-}
-
 Result<std::string> readBytes(const std::string& file) {
   return file == "-" ? readStandardInput() : readFile(file);
 }
@@ -139,7 +133,7 @@ std::optional<TableLayout> layoutOf(const ImportRequest& request, std::string_vi
   for (const std::string& column : request.columns) layout.columns.push_back(column == "-" ? "" : column);
   if (request.decimalSign == "point") layout.decimalSign = DecimalSign::Point;
   if (request.decimalSign == "comma") layout.decimalSign = DecimalSign::Comma;
-  layout.unit = unitOf(request.unit);
+  layout.unit = angleUnitNamed(request.unit);
   return layout;
 }
 
@@ -266,7 +260,7 @@ Result<ImportOptions> importOptions(const ImportRequest& request) {
     if (!session) return Problem{"--add-to: " + session.problem().text()};
     options.base = *std::move(session);
   }
-  options.unit = unitOf(request.unit);
+  options.unit = angleUnitNamed(request.unit);
   options.zeroPoint = request.zeroPoint;
   if (request.turnedAtLine > 0) options.turnedAtLine = request.turnedAtLine;
   Session& base = options.base;

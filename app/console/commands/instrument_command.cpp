@@ -29,12 +29,6 @@ constexpr const char* aboutInstrumentFiles =
     "stated of a direction and a zenith angle observed once in both faces, as in a data sheet after\n"
     "ISO 17123-3.";
 
-AngleUnit unitNamed(const std::string& name) {
-  if (name == "gon") return AngleUnit::Gon;
-  if (name == "dms") return AngleUnit::Dms;
-  return name == "deg" ? AngleUnit::Degrees : AngleUnit::Unstated;
-}
-
 /// The name of a file in sentences.
 std::string checkFileName(const std::string& file) {
   return file == "-" ? inputName(file) : wellFormed(std::filesystem::path(file).filename().string());
@@ -104,7 +98,7 @@ Result<InstrumentAnswer> runInstrument(const InstrumentRequest& request) {
   std::vector<CheckFile> files;
   for (std::size_t i = 0; i < bytes.size(); ++i) files.push_back({checkFileName(request.files[i]), bytes[i]});
   Result<CheckReadings> read =
-      readCheckFiles(files, {.unit = unitNamed(request.unit), .verticalCircle = request.verticalCircle});
+      readCheckFiles(files, {.unit = angleUnitNamed(request.unit), .verticalCircle = request.verticalCircle});
   if (!read) return read.problem();
   CheckReadings readings = *std::move(read);
   const Result<InstrumentCheck> check = checkReadings(

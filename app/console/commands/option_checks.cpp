@@ -50,4 +50,10 @@ OptionCheck textCheck() {
   };
 }
 
+AngleUnit angleUnitNamed(const std::string& name) {
+  if (name == "gon") return AngleUnit::Gon;
+  if (name == "deg") return AngleUnit::Degrees;
+  return name == "dms" ? AngleUnit::Dms : AngleUnit::Unstated;
+}
+
 }  // namespace alidade::console

@@ -5,6 +5,8 @@
 #include <limits>
 #include <string>
 
+#include "core/exchange/recording.h"
+
 namespace alidade::console {
 
 /// Checks the value of an option. Returns a sentence if the value is invalid, else an empty text.
@@ -18,6 +20,9 @@ OptionCheck wholeFrom(std::uint64_t least, std::uint64_t most);
 
 /// Text valid in a session file: UTF-8.
 OptionCheck textCheck();
+
+/// The unit of an option: "dms", "deg" or "gon"; another name is `Unstated`.
+AngleUnit angleUnitNamed(const std::string& name);
 
 /// Accepts any whole number that is valid as a seed.
 inline OptionCheck seedCheck() {

@@ -49,8 +49,6 @@ class Component {
   virtual bool isJump() const { return false; }
   /// For a jump between the zero and the first visit of an arc: index of the arc, which moves as a whole.
   virtual std::optional<std::size_t> wrongZeroArc() const { return std::nullopt; }
-  /// Whether this is a jump. A jump has a moment, unlike the terms of a model.
-  bool stepsOrientation() const { return isJump() || wrongZeroArc().has_value(); }
   /// The rows on which a jump acts. Absent for other components.
   virtual std::optional<JumpMoment> jumpMoment() const { return std::nullopt; }
   /// Whether this is a pattern without a named cause.

@@ -44,7 +44,7 @@ double logPriorOf(const Combination& forms) {
 /// Returns `certain` and, if it contains jumps, a copy without them: a form may look like a jump.
 std::vector<Explanation> restsOf(const Inquiry& inquiry, const Explanation& certain) {
   Explanation calm = certain;
-  std::erase_if(calm.parts, [&](const Part& part) { return inquiry.of(part).stepsOrientation(); });
+  std::erase_if(calm.parts, [&](const Part& part) { return inquiry.of(part).isJump(); });
   if (calm.parts.size() == certain.parts.size()) return {certain};
   return {certain, calm};
 }

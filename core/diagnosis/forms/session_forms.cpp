@@ -49,7 +49,7 @@ class SessionForms {
         m_families(formFamilies(m_readings)),
         m_system(systemOf(m_full)) {
     for (const Part& part : certain.parts)
-      if (inquiry.of(part).stepsOrientation()) addJump(part);
+      if (inquiry.of(part).isJump()) addJump(part);
   }
 
   FoundForms find() {
@@ -78,7 +78,7 @@ class SessionForms {
   MatrixXd m_jumpColumns;  ///< columns of the jumps, over the readings
 
   static GapModel plainModel(const Inquiry& inquiry, Explanation certain) {
-    std::erase_if(certain.parts, [&](const Part& part) { return inquiry.of(part).stepsOrientation(); });
+    std::erase_if(certain.parts, [&](const Part& part) { return inquiry.of(part).isJump(); });
     if (certain.parts.empty() && !certain.noisy) return inquiry.base;
     GapModel model = modelWith(inquiry.base, certain, inquiry.candidates, inquiry.leftover);
     return model.fit->isDetermined() ? model : inquiry.base;

@@ -75,10 +75,10 @@ struct KnownCheck {
 struct Cause {
   std::string effect;      ///< identifier in the catalogue
   double probability = 0;  ///< probability that the effect is among the causes, 0…1
-  std::vector<CauseParameter> parameters;
-  std::vector<std::string> indistinguishableFrom;  ///< identifiers
-  std::vector<ReadingDeviation> readings;          ///< the readings with a gross error
-  bool isStale = false;                            ///< the known value is out of date: see `Diagnosis::known`
+  std::vector<CauseParameter> parameters = {};
+  std::vector<std::string> indistinguishableFrom = {};  ///< identifiers
+  std::vector<ReadingDeviation> readings = {};          ///< the readings with a gross error
+  bool isStale = false;  ///< the known value is out of date: see `Diagnosis::known`
   /// Identifiers of further look-alikes, which only the known value excludes.
   std::vector<std::string> unlessStale = {};
 };

@@ -46,12 +46,6 @@ std::vector<SessionOwners> ownersOf(const std::vector<SeriesSession>& sessions,
   return owners;
 }
 
-Cause causeNamed(const std::string& id) {
-  Cause cause;
-  cause.effect = id;
-  return cause;
-}
-
 /// For each session the first one with the same readings.
 std::vector<std::size_t> firstsOf(const std::vector<SeriesSession>& sessions) {
   std::vector<std::string> digests;
@@ -173,7 +167,7 @@ Result<SeriesOutcome, DiagnosisFault> diagnoseSeries(const std::vector<SeriesSes
     member.shared = conclusion.known[i];
     for (const std::string& id : conclusion.own[i]) {
       const auto same = std::ranges::find(evidence[i].causes, id, &Cause::effect);
-      Cause cause = same != evidence[i].causes.end() ? *same : causeNamed(id);
+      Cause cause = same != evidence[i].causes.end() ? *same : Cause{.effect = id};
       cause.probability = conclusion.ownChance[i];
       member.own.push_back(std::move(cause));
     }

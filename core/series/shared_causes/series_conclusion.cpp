@@ -37,12 +37,6 @@ bool holds(const SharedSet& set, const EffectBlock& block) {
   });
 }
 
-Cause named(const std::string& id) {
-  Cause cause;
-  cause.effect = id;
-  return cause;
-}
-
 bool isPartOf(const SharedSet& smaller, const SharedSet& larger) {
   return std::ranges::all_of(smaller.parts,
                              [&](const SharedPart& part) { return holds(larger, part.block); });
@@ -455,7 +449,7 @@ class Conclusion {
     for (const CommonNoise& noise : m_noise) {
       if (!noise.isLarger || std::ranges::find(m_leftOut, noiseId) != m_leftOut.end()) continue;
       SharedCause cause;
-      cause.cause = named(noiseId);
+      cause.cause = Cause{.effect = noiseId};
       cause.cause.probability = noise.probability;
       cause.cause.parameters = {{PHRASE_LATER("Phrase", "ratio"), noise.scale, noise.sigma, "1"}};
       cause.owner = noise.isOfOne ? CauseOwner::Time : CauseOwner::Instrument;
@@ -493,7 +487,7 @@ class Conclusion {
         conclusion.own[s].push_back(id);
         SharedCause cause;
         const auto same = std::ranges::find(m_evidence[s].causes, id, &Cause::effect);
-        cause.cause = same != m_evidence[s].causes.end() ? *same : named(id);
+        cause.cause = same != m_evidence[s].causes.end() ? *same : Cause{.effect = id};
         cause.cause.probability = something;
         cause.sessions = {s};
         conclusion.diagnosis.causes.push_back(std::move(cause));

@@ -83,8 +83,8 @@ TEST(TruthText, TellsWhichPositionAtAnAxisIsMeant) {
   EXPECT_EQ(json.at("effects").at("zero_slip")[0], 2);
   EXPECT_EQ(json.at("blunders")[0][0], 3);
   EXPECT_EQ(json.at("blunders")[1][0], 0);
-  EXPECT_THAT(refusal("zero_slip=0,30,-40,0"), HasSubstr("how many-th time"));
-  EXPECT_THAT(refusal("gross_error=0,1,3,1,0,60,1.5"), HasSubstr("how many-th time"));
+  EXPECT_THAT(refusal("zero_slip=0,30,-40,0"), HasSubstr("number of the position at that axis"));
+  EXPECT_THAT(refusal("gross_error=0,1,3,1,0,60,1.5"), HasSubstr("number of the position at that axis"));
   for (const int number : {0, 1, 2, 3, 4}) {
     const auto [axisDeg, repeat] = NumberedPosition::of(number);
     EXPECT_EQ((NumberedPosition{axisDeg, repeat}.number()), number);
