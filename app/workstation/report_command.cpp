@@ -10,7 +10,7 @@
 #include "core/base/phrase.h"
 #include "core/evaluation/evaluation.h"
 #include "core/session/hindrance.h"
-#include "ui/dialogs/report_source.h"
+#include "ui/dialogs/report_flow.h"
 #include "ui/document/session_document.h"
 #include "ui/report/empty_fields.h"
 #include "ui/text/entry_text.h"

@@ -39,4 +39,10 @@ SelfTest runSelfTest(const std::string& share, const SelfTestReferences& referen
 /// The folder `share` next to the folder `bin` of the running program; empty if it has no `alidade` folder.
 std::string installedShare();
 
+/// {"at", "verdict": "pass"|"fail", "passed", "failed", "left_out", "environment": {name: value},
+/// "checks": [{"group", "name", "expected", "found", "deviation", "tolerance", "reason", "outcome": "passed"|
+/// "failed"|"left-out"}], "program": {"name", "version", "build"}}. `deviation` and `tolerance` are relative
+/// to `expected`, and null for values that are not numbers.
+std::string selfTestJson(const SelfTest& test, const std::string& at);
+
 }  // namespace alidade

@@ -1,4 +1,4 @@
-#include "core/self_test/self_test_json.h"
+#include "core/self_test/self_test.h"
 
 #include <nlohmann/json.hpp>
 

@@ -11,7 +11,6 @@
 #include "core/session/hindrance.h"
 #include "ui/dialogs/dialogs.h"
 #include "ui/dialogs/in_background.h"
-#include "ui/dialogs/report_source.h"
 #include "ui/document/session_document.h"
 #include "ui/jobs/failed_job.h"
 #include "ui/jobs/series_job.h"

@@ -72,4 +72,8 @@ class ReportFlow : public QObject {
   } m_translated;  ///< last result of `inLanguage`, kept while a report is being made
 };
 
+/// The file named in a report of the document. Its bytes and their hash are read unless the session has
+/// unsaved changes; `saved` is true if the file equals the session.
+ReportSource reportSource(const SessionDocument& document);
+
 }  // namespace alidade::ui

@@ -1,4 +1,4 @@
-#include "ui/dialogs/report_source.h"
+#include "ui/dialogs/report_flow.h"
 
 #include <QCryptographicHash>
 #include <QFileInfo>

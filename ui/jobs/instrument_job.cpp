@@ -4,7 +4,7 @@
 
 #include "core/base/phrase.h"
 #include "core/series/instrument_check/check_findings.h"
-#include "core/series/instrument_check/checked_readings.h"
+#include "core/series/instrument_check/instrument_check.h"
 #include "ui/jobs/failed_job.h"
 
 namespace alidade::ui {

@@ -4,7 +4,7 @@
 
 #include "core/base/atomic_file.h"
 #include "core/base/version.h"
-#include "core/self_test/self_test_json.h"
+#include "core/self_test/self_test.h"
 #include "core/self_test/self_test_words.h"
 #include "ui/document/encoded_path.h"
 #include "ui/report/painted_pdf.h"

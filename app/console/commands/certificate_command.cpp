@@ -5,7 +5,7 @@
 #include <optional>
 #include <utility>
 
-#include "app/console/commands/signing_options.h"
+#include "app/console/commands/shared_options.h"
 #include "app/console/session_input.h"
 #include "core/answers/fit_answer.h"
 #include "core/base/atomic_file.h"

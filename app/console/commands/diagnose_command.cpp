@@ -10,7 +10,7 @@
 #include <utility>
 
 #include "app/console/channels.h"
-#include "app/console/commands/batch_options.h"
+#include "app/console/commands/shared_options.h"
 #include "app/console/diagnosis_text.h"
 #include "app/console/output_file.h"
 #include "app/console/own_effect_files.h"

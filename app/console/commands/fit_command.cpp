@@ -4,8 +4,8 @@
 #include <optional>
 #include <utility>
 
-#include "app/console/commands/batch_options.h"
 #include "app/console/commands/option_checks.h"
+#include "app/console/commands/shared_options.h"
 #include "app/console/fit_text.h"
 #include "app/console/own_effect_files.h"
 #include "app/console/session_input.h"

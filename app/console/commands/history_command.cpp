@@ -7,8 +7,8 @@
 #include <optional>
 
 #include "app/console/channels.h"
-#include "app/console/commands/batch_options.h"
 #include "app/console/commands/option_checks.h"
+#include "app/console/commands/shared_options.h"
 #include "app/console/history_text.h"
 #include "app/console/session_files.h"
 #include "core/base/clock.h"

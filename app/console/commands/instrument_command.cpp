@@ -14,7 +14,7 @@
 #include "core/series/instrument_check/check_files.h"
 #include "core/series/instrument_check/check_findings.h"
 #include "core/series/instrument_check/check_record.h"
-#include "core/series/instrument_check/checked_readings.h"
+#include "core/series/instrument_check/instrument_check.h"
 #include "core/series/instrument_check/instrument_json.h"
 
 namespace alidade::console {

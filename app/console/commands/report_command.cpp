@@ -6,8 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include "app/console/channels.h"
-#include "app/console/commands/batch_options.h"
-#include "app/console/commands/signing_options.h"
+#include "app/console/commands/shared_options.h"
 #include "app/console/other_program.h"
 #include "core/answers/json_text.h"
 #include "core/base/utf8.h"

@@ -8,7 +8,6 @@
 #include "core/base/file_bytes.h"
 #include "core/base/version.h"
 #include "core/self_test/self_test.h"
-#include "core/self_test/self_test_json.h"
 
 namespace alidade::console {
 

@@ -3,10 +3,13 @@
 #include <boost/math/distributions/chi_squared.hpp>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 #include "core/base/square.h"
 #include "core/base/statistics.h"
+#include "core/series/instrument_check/plausibility.h"
 #include "core/series/instrument_check/pooled_faces.h"
+#include "core/series/instrument_check/rounds.h"
 
 namespace alidade {
 
@@ -76,6 +79,13 @@ InstrumentCheck checkInstrument(const std::vector<StationRounds>& stations, cons
                              {},
                              differ(checks[i].direction, without(check.direction, checks[i].direction)),
                              differ(checks[i].vertical, without(check.vertical, checks[i].vertical))});
+  return check;
+}
+
+Result<InstrumentCheck> checkReadings(const CheckReadings& readings, const CheckOptions& options) {
+  const std::vector<StationRounds> stations = completeRounds(readings);
+  InstrumentCheck check = checkInstrument(stations, options);
+  if (auto problem = implausibility(stations, check)) return *std::move(problem);
   return check;
 }
 

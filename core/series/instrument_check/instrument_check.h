@@ -4,6 +4,8 @@
 #include <string>
 #include <vector>
 
+#include "core/base/result.h"
+#include "core/series/instrument_check/check_readings.h"
 #include "core/series/instrument_check/station_check.h"
 
 namespace alidade {
@@ -42,5 +44,9 @@ struct InstrumentCheck {
 };
 
 InstrumentCheck checkInstrument(const std::vector<StationRounds>& stations, const CheckOptions& options = {});
+
+/// Checks the readings station by station. If a figure is implausible (`implausibility`), fails and names the
+/// lines: a wrong figure is worse than none.
+Result<InstrumentCheck> checkReadings(const CheckReadings& readings, const CheckOptions& options = {});
 
 }  // namespace alidade

@@ -8,7 +8,6 @@
 
 #include "core/base/sha256.h"
 #include "core/self_test/check_families.h"
-#include "core/self_test/self_test_json.h"
 #include "core/self_test/self_test_words.h"
 #include "tests/support/file_content.h"
 #include "tests/support/temporary_folder.h"

@@ -5,7 +5,7 @@
 #include "core/series/instrument_check/check_files.h"
 #include "core/series/instrument_check/check_findings.h"
 #include "core/series/instrument_check/check_record.h"
-#include "core/series/instrument_check/checked_readings.h"
+#include "core/series/instrument_check/instrument_check.h"
 
 // Files of tests/reference/import. The expected figures are from plain loops over the files in another
 // language, by the formulas of ISO 17123-3 and least squares of two unknowns. Angles in the files end at

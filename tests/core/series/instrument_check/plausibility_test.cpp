@@ -6,7 +6,7 @@
 #include <functional>
 
 #include "core/series/instrument_check/check_findings.h"
-#include "core/series/instrument_check/checked_readings.h"
+#include "core/series/instrument_check/instrument_check.h"
 #include "tests/core/series/instrument_check/simulated_rounds.h"
 
 namespace alidade::test {

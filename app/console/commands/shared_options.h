@@ -2,6 +2,7 @@
 
 #include <optional>
 
+#include "app/console/batch.h"
 #include "core/base/result.h"
 #include "core/signature/signature.h"
 
@@ -10,6 +11,9 @@ class App;
 }
 
 namespace alidade::console {
+
+/// Adds `[--threads N] [--progress] [--json]` to a subcommand for many files.
+void addBatchOptions(CLI::App& command, BatchOptions& options);
 
 /// Adds `[--sign-key KEY --sign-certificate CERT [--sign-passphrase-file FILE]]` to a subcommand that writes
 /// a file.

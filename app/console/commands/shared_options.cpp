@@ -1,10 +1,24 @@
-#include "app/console/commands/signing_options.h"
+#include "app/console/commands/shared_options.h"
 
 #include <CLI/CLI.hpp>
 #include <string>
 #include <utility>
 
+#include "app/console/commands/option_checks.h"
+
 namespace alidade::console {
+
+void addBatchOptions(CLI::App& command, BatchOptions& options) {
+  constexpr unsigned mostThreads = 1024;
+  command
+      .add_option("--threads", options.threads,
+                  "Threads for many files; 0: all. The result does not depend on it")
+      ->check(wholeFrom(0, mostThreads))
+      ->capture_default_str();
+  command.add_flag("--progress", options.progress,
+                   "Report on stderr how many files are done, even if stderr is no terminal");
+  command.add_flag("--json", options.json, "Print one JSON document; of many files, one line for each");
+}
 
 void addSigningOptions(CLI::App& command, SigningFiles& files) {
   CLI::Option* key = command.add_option(
