@@ -5,8 +5,8 @@
 
 namespace alidade {
 
-/// A plane angle. Its value is in radians. Only `wrapped` reduces it by whole turns: 370° stays 370° until
-/// then. Named factories and readers keep the unit visible where a number enters or leaves.
+/// A plane angle. Its value is in radians. Only `wrapped` reduces it by whole turns; otherwise 370° stays
+/// 370°. Named factories and readers keep the unit visible where a number enters or leaves.
 class Angle {
  public:
   constexpr Angle() = default;

@@ -18,7 +18,7 @@ namespace {
 
 constexpr std::string_view degreeSign = "°";
 
-/// Degrees, minutes and seconds as typed: one to three unsigned decimal numbers; missing ones are zero.
+/// Degrees, minutes and seconds as typed: one to three unsigned decimal numbers; missing numbers are zero.
 using Parts = std::vector<std::string>;
 
 std::string trimmed(std::string_view text) {
@@ -29,7 +29,7 @@ bool isWhole(std::string_view text) {
   return !text.empty() && std::all_of(text.begin(), text.end(), isDigit);
 }
 
-/// Are these digits with at most one decimal sign between them?
+/// Does the text consist of digits, with at most one decimal sign between them?
 bool isDecimal(std::string_view text) {
   const auto sign = text.find_first_of(".,");
   if (sign == std::string_view::npos) return isWhole(text);
@@ -155,7 +155,7 @@ class AngleReader {
 
   std::string minus() const { return m_negative ? "-" : ""; }
 
-  /// Names both meanings if both are angles: 341.5224 is 341.5224° or 341 52 24.
+  /// The problem of a bare decimal. If both meanings are angles, it names both: 341.5224° or 341 52 24.
   std::string ambiguousDecimal(const std::string& degrees, std::string decimals) const {
     if (degrees.size() > 3 || decimals.size() > 12) {
       return Phrase::of(

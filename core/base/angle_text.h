@@ -8,8 +8,8 @@
 
 namespace alidade {
 
-/// Reads an angle as people write and type it. Accepted, with an optional leading sign (+, - or −), a point
-/// or comma as decimal sign, and blanks anywhere between the parts:
+/// Reads an angle as people write and type it. These notations are accepted, with an optional leading sign
+/// (+, - or −), a point or comma as decimal sign, and blanks anywhere between the parts:
 ///
 ///   with signs: 341°52'24", 341°52′24.5″, 341°52', 341°, 341度52分24秒; the signs may be ° º ˚ ◦ ∘ ⁰ for
 ///     degrees, ' ′ ’ ´ ` ʹ for minutes, and " ″ ” “ ʺ or two primes for seconds
@@ -20,7 +20,7 @@ namespace alidade {
 ///   gon with their unit: 379.859gon, 379.859g
 ///
 /// Minutes and seconds are in [0, 60); only the last part may have decimals. A bare decimal such as
-/// `341.5224` may mean degrees or degrees.minutes-seconds and is refused; so are `341 52` and four digits.
+/// `341.5224` may mean degrees or degrees.minutes-seconds: it is refused, as are `341 52` and four digits.
 /// Fullwidth digits and signs of input methods are read as their ASCII forms; digits of other scripts are
 /// refused. The value is not wrapped and its range is not checked.
 Result<Angle> parseAngle(std::string_view text);
@@ -32,10 +32,10 @@ enum class AngleSigns {
 
 /// Degrees, minutes and seconds with `decimals` (0…9) places of seconds, rounded so that all parts stay below
 /// 60: 59.96″ with one decimal is 1′00.0″. Minutes and seconds have two digits. Negative angles have one
-/// leading − (a hyphen with Typewriter). Not wrapped: wrap circle readings first.
+/// leading − (a hyphen with Typewriter). The angle is not wrapped: wrap circle readings first.
 std::string formatDms(Angle angle, int decimals = 0, AngleSigns signs = AngleSigns::Primes);
 
-/// Are the angles equal, apart from whole turns and the rounding of their texts, below 10⁻⁶ arcseconds?
+/// Are the angles equal modulo 360° to within 10⁻⁶ arcseconds, the rounding of their texts?
 bool areEqualAsTyped(Angle a, Angle b);
 
 }  // namespace alidade

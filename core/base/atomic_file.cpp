@@ -68,7 +68,7 @@ int Passage::writeTemporary() {
   if (const int error = openTemporary(file)) return error;
   const int error = writeAll(file);
   if (error == 0 && m_target.kind == FileTarget::Kind::File) {
-    // If the system refuses, the file stays private to its owner, as it was created.
+    // A refused step is not an error. Without the old file's access list, the group gets no rights.
     [[maybe_unused]] const int ofGroup = fchown(file, static_cast<uid_t>(-1), m_target.group);
     [[maybe_unused]] const int ofMode = fchmod(file, m_target.mode & ~mode_t{S_IRWXG});
     const bool isAccessKept = copyFileAttributes(m_target.path, file);
@@ -139,7 +139,7 @@ int Passage::takePlace() {
   return 0;
 }
 
-/// Restores the old file. If that fails, returns a sentence on the file that is in its place now.
+/// Restores the old file. If the restoration fails, returns a sentence on the file at the target's path.
 std::string Passage::putBack() {
   if (!m_hasPlace) return {};
   const char* const place = m_target.path.c_str();

@@ -17,16 +17,16 @@ struct FileContent {
   bool isPrivate = false;  ///< a new file is private to its owner
 };
 
-/// Writes the file completely or not at all: into a temporary file in the same folder, which replaces the
-/// file once every byte is on the disk. Until then, and if a step fails, the old file stays. A replaced
-/// file's permissions are kept, and its group if the system allows it; its other hard links keep the old
-/// bytes. A symbolic link stays, and its target is replaced. Terminals, pipes and devices are written to
-/// directly. All our programs write files this way.
+/// Writes the file completely or not at all: a temporary file in the same folder receives the bytes and
+/// replaces the file once every byte is on the disk. Until then, and if a step fails, the old file stays. A
+/// replaced file's permissions are kept, and its group if the system allows it; its other hard links keep the
+/// old bytes. A symbolic link stays, and its target is replaced. Terminals, pipes and devices are written to
+/// directly. All our programs write files with `writeFile` or `writeFiles`.
 ///
 /// Absent if the file was written; otherwise one sentence with the path, the reason and what to do. `inputs`
-/// are the files that were read for the output, `-` for standard input; none of them is replaced, whatever
-/// its name. Leave `inputs` empty only if nothing was read. If the folder cannot be synchronised, the new
-/// bytes are in place but may not survive a power cut.
+/// are the files that were read for the output, `-` for standard input; none of them is replaced, not even
+/// through a link. Leave `inputs` empty only if nothing was read. If the folder cannot be synchronised, the
+/// new bytes are in place but may not survive a power cut.
 [[nodiscard]] std::optional<Problem> writeFile(const std::string& path, std::string_view bytes,
                                                const std::vector<std::string>& inputs,
                                                const FileCalls& calls = {});

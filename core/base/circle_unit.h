@@ -14,7 +14,7 @@ enum class CircleUnit { Dms, Degrees, Gon };
 /// typed: those with signs, separators or a unit, and in degrees also consecutive digits (3415224).
 std::string completedAngle(const std::string& typed, CircleUnit unit);
 
-/// The fewest decimals of seconds, 0 to 3, that write the angle exactly; 1 if more would be needed. Degrees
+/// The fewest decimals of seconds, 0 to 3, that write the angle exactly; 1 if three are not enough. Degrees
 /// and gon have four decimals more than seconds: their fourth decimal is 0.36″ and 0.32″.
 int decimalsOf(Angle angle, CircleUnit unit);
 

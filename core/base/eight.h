@@ -4,7 +4,7 @@
 
 namespace alidade {
 
-// Eight numbers at once: one wide register of the processor, or two or four narrower ones.
+// Arithmetic on eight numbers at once, in one wide register of the processor or in two or four narrower ones.
 
 inline constexpr std::size_t eight = 8;
 

@@ -6,10 +6,9 @@
 
 namespace alidade {
 
-/// The text for an unexpected exception, as the end of a sentence "The fit failed: …". It names a lack of
-/// memory; anything else is reported as a fault of the program, with the exception's text.
-
-/// Describes the exception being handled; call it only within a catch block.
+/// The text for the exception being handled, as the end of a sentence "The fit failed: …". It names a lack of
+/// memory; anything else is reported as a fault of the program, with the exception's text. Call it only
+/// within a catch block.
 std::string thrownReason();
 
 /// Runs `work`. If it throws, returns the `thrownReason`; absent if it completes.

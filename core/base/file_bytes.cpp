@@ -13,7 +13,7 @@ namespace alidade {
 
 namespace {
 
-/// Reads to the end; a problem beyond `limits::mostBytes`. `whyBroken`: the sentence if reading fails.
+/// Reads to the end. Fails above `limits::mostBytes`, and with the sentence `whyBroken` on a read error.
 Result<std::string> readBounded(std::istream& stream, const std::string& whyBroken) {
   constexpr std::size_t chunk = std::size_t{1} << 16;
   std::string bytes;

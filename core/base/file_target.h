@@ -20,8 +20,8 @@ struct FileTarget {
   std::string path;  ///< path with links resolved: a link stays, its target is replaced
   Kind kind = Kind::New;
   mode_t mode = 0;                     ///< permissions of a `File`
-  uid_t owner = 0;                     ///< of `File`
-  gid_t group = 0;                     ///< of `File`
+  uid_t owner = 0;                     ///< user id of a `File`
+  gid_t group = 0;                     ///< group id of a `File`
   std::optional<int> descriptor = {};  ///< open file that a `Direct` such as /dev/stdout names
 
   std::string folder() const;  ///< the folder of `path`

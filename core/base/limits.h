@@ -8,8 +8,8 @@
 namespace alidade::limits {
 
 // Limits of input from any source: a file, standard input or the window. Anything beyond is refused with one
-// sentence before it exhausts the memory. Reading takes less than 2 GB of memory; so do the fit and the
-// diagnosis of a million rows.
+// sentence before it exhausts the memory. Reading takes less than 2 GB of memory; the fit and the diagnosis
+// of a million rows take less than 2 GB, too.
 
 /// Largest file or standard input in bytes: room for `mostRows` rows of several times the usual length.
 inline constexpr std::size_t mostBytes = std::size_t{512} << 20;
@@ -27,7 +27,7 @@ inline constexpr std::size_t mostProblems = 100'000;
 /// Most kinds of unused data reported for a GSI file, each in a sentence.
 inline constexpr std::size_t mostKinds = 1000;
 
-/// Deepest nesting of lists and objects in a session file, which uses 6: reading must not exhaust the stack.
+/// Deepest nesting of lists and objects in a session file; 6 is usual. Reading must not exhaust the stack.
 inline constexpr std::size_t deepestNesting = 100;
 
 /// Most values of a session file outside its rows. Each takes about a hundred bytes of memory, many times its

@@ -20,10 +20,10 @@ struct MeanAndSigma {
   double mean = 0, sigma = 0;
 };
 
-/// Mean and σ of one part or more: σ² is the mean of the variances plus the variance of the means.
+/// Mean and σ of a non-empty mixture: σ² is the mean of the variances plus the variance of the means.
 MeanAndSigma momentsOf(const std::vector<NormalPart>& mixture);
 
-/// The h for which centre ± h contains `coverage`, in (0, 1), of one part or more; relative error 1e-6.
+/// The h for which centre ± h contains `coverage`, in (0, 1), of a non-empty mixture; relative error 1e-6.
 double halfWidth(const std::vector<NormalPart>& mixture, double centre, double coverage);
 
 /// Joins parts whose mean and σ lie in the same interval of width `grain` into one part with their moments.

@@ -8,8 +8,8 @@
 namespace alidade {
 
 /// Reads a decimal number as typed: optional sign (+, - or −), digits with a point or a comma as decimal
-/// sign, optional exponent, blanks around. The whole text must be the number; it must be finite. No thousands
-/// separators.
+/// sign, optional exponent, blanks around. The whole text must be the number; it must be finite. Thousands
+/// separators are refused.
 Result<double> parseNumber(std::string_view text);
 
 /// Reads a whole number of at most nine digits, with the same signs and blanks.

@@ -27,7 +27,7 @@ class PhraseValue {
 };
 
 /// Texts for people. The sources contain them in English; a program in another language replaces the English
-/// text. They are whole phrases with marks, so that a translation can reorder the words; never sentences
+/// text. Each text is a whole phrase with marks, in which a translation can reorder the words. No sentence is
 /// assembled from pieces.
 struct Phrase {
   PHRASE_CONTEXT(Phrase)

@@ -9,7 +9,7 @@ namespace alidade {
 /// Random numbers that are the same on every machine and for any distribution of the work over threads: each
 /// piece of work has its own stream, identified by a seed and a number. xoshiro256++ (Blackman and Vigna,
 /// "Scrambled linear pseudorandom number generators", 2021), seeded through SplitMix64. A normal number is
-/// the normal quantile of a uniform one; std::normal_distribution depends on the library.
+/// the normal quantile of a uniform one, since std::normal_distribution depends on the library.
 class RandomSource {
  public:
   explicit RandomSource(std::uint64_t seed, std::uint64_t stream = 0);

@@ -10,7 +10,7 @@
 namespace alidade {
 
 /// A value, or the reason why there is none: one sentence, or a `Reason` that `core/wording/` puts into
-/// words. For invalid input; faults of the program are asserts, statements on the data are findings.
+/// words. It is for invalid input; faults of the program are asserts, statements on the data are findings.
 template <typename T, typename Reason = Problem>
 class [[nodiscard]] Result {
  public:

@@ -33,7 +33,7 @@ std::optional<pid_t> processIn(std::string_view name) {
   return further == std::errc() && last == end ? std::optional(process) : std::nullopt;
 }
 
-/// Is the file abandoned? On a shared disk its process may run elsewhere, so the file is kept for an hour.
+/// Is the file abandoned? Its process may run on another machine: the file must also be an hour old.
 bool isStale(const fs::path& path) {
   constexpr time_t patience = 3600;
   const auto process = processIn(path.filename().string());

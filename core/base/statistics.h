@@ -5,12 +5,12 @@
 
 namespace alidade {
 
-// Argument types of distributions and roots. They turn impossible sums of squares and variances, which
-// rounding or rank deficiency may cause, into an unknown number: a valid outcome instead of an invalid
+// Argument types of distributions. Rounding or rank deficiency may cause impossible sums of squares and
+// degrees of freedom. The types turn them into 0 or an unknown number: a valid outcome instead of an invalid
 // argument.
 
 /// Σ (v/σ)², or another squared distance in units of its own variance: 0 or more, may be infinite, or
-/// unknown. A value below zero by rounding (1e-6) is 0; a more negative value is unknown, as is NaN.
+/// unknown. A value between −1e-6 and 0, as from rounding, is 0; a more negative value and NaN are unknown.
 class WeightedSquareSum {
  public:
   WeightedSquareSum(double value)
@@ -45,7 +45,7 @@ class DegreesOfFreedom {
 /// alone fails one in a hundred sessions.
 inline constexpr double improbable = 0.001;
 
-/// Probability that χ² exceeds a sum. Absent if the sum is unknown or there are no degrees of freedom.
+/// Probability that χ² exceeds the sum `chiSquare`. Absent for an unknown sum or no degrees of freedom.
 std::optional<double> chiSquareUpperTail(WeightedSquareSum chiSquare, DegreesOfFreedom degreesOfFreedom);
 
 /// Probability that F exceeds `squares` / `numerator`. Absent if `squares` is unknown or either number of

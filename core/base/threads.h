@@ -6,12 +6,12 @@
 
 namespace alidade {
 
-/// Runs `work` once in each of `threads` ≥ 1 threads, this one included, and returns when all are done. The
-/// first exception is rethrown here; the other threads complete.
+/// Runs `work` once in each of `threads` ≥ 1 threads, including the calling one, and returns when all are
+/// done. The first exception is rethrown in the calling thread; the other threads complete.
 void inThreads(std::size_t threads, const std::function<void()>& work);
 
-/// Runs `work` for each number below `count`, in `threads` ≥ 1 threads, and returns when all are done; one
-/// thread runs them in order. The first exception is rethrown here.
+/// Runs `work` for each number below `count`, in `threads` ≥ 1 threads, and returns when all are done. A
+/// single thread takes them in order. The first exception is rethrown in the calling thread.
 void doEach(std::size_t threads, std::size_t count, const std::function<void(std::size_t)>& work);
 /// Runs all `pieces`, in threads as `doEach` does.
 void doAll(std::size_t threads, const std::vector<std::function<void()>>& pieces);

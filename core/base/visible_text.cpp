@@ -40,8 +40,8 @@ bool isSelector(char32_t code) {
          (code >= 0xE0100 && code <= 0xE01EF);
 }
 
-/// Does the joiner or selector `code` change the shape of `before`? It can in Arabic, Indic and later scripts
-/// and in pictures, but not in Latin, Greek, Cyrillic and Hebrew.
+/// Does the joiner or selector `code` change the shape of `before`? Characters of Arabic, Indic and later
+/// scripts and pictures may change; Latin, Greek, Cyrillic and Hebrew characters do not.
 bool isShapedBy(char32_t before, char32_t code) {
   constexpr char32_t firstShaped = 0x0600;
   return before >= firstShaped &&
@@ -61,7 +61,7 @@ void appendEscape(std::string& text, char32_t code) {
   appendHex(text, "\\u", 0xDC00u + (rest & 0x3FFu), 4);
 }
 
-/// Processes a text character by character; `m_before` is the last one shown, or 0 after an escape.
+/// Processes a text character by character; `m_before` is the last character shown, or 0 after an escape.
 class Writer {
  public:
   explicit Writer(std::string_view kept) : m_kept(kept) {}
@@ -94,7 +94,7 @@ class Writer {
   std::string m_text;
 };
 
-/// The printable ASCII at the start of the text: usually most of it, processed at once.
+/// The printable ASCII at the start of the text, usually most of the text. It is processed at once.
 std::string_view plainBeginning(std::string_view text) {
   return {text.begin(), std::ranges::find_if(text, [](char c) { return c < ' ' || c > '~'; })};
 }

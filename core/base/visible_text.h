@@ -12,7 +12,7 @@ namespace alidade {
 /// joiner or variation selector stays if it shapes the character before it. A byte that is not UTF-8 appears
 /// as \xff. Everything else stays unchanged, including backslashes. The control characters in `kept` stay.
 ///
-/// Within a JSON document the escapes are equivalent to the characters, so that its content is the same.
+/// Within a JSON document, the escapes mean the same characters: the document's content does not change.
 std::string visibleText(std::string_view text, std::string_view kept = {});
 
 /// The visible text, cut to its first `most` characters and an ellipsis; an escape counts as one character.

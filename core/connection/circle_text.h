@@ -12,7 +12,7 @@ namespace alidade {
 /// circle, is 0.001″ with minutes and seconds, 10⁻⁷° in decimal degrees, and 10⁻⁷ gon.
 std::string circleText(Angle reading, CircleUnit unit);
 
-/// The reading of a vertical circle of this kind at `zenith` in [0°, 360°); see `isFaceTwo`.
+/// The reading of this kind of vertical circle at the zenith angle `zenith` in [0°, 360°); see `isFaceTwo`.
 Angle onCircle(Angle zenith, VerticalCircle circle);
 /// The inverse of `onCircle`.
 Angle zenithOf(Angle reading, VerticalCircle circle);

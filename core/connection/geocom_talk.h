@@ -13,7 +13,7 @@ namespace alidade {
 // while the instrument wakes, then for the number of decimals, the identity and the temperature. For each
 // reading it asks for serial number, corrections and compensator state (RPC 5003, 2014, 2007), which may have
 // changed, then for circles and tilts (2003). Only one question is pending. After a busy, damaged or missing
-// answer it is repeated with a new transaction number. Late and duplicate answers have an outdated number.
+// answer it is repeated with a new transaction number. Answers with an outdated number are dropped.
 
 class GeoComTalk : public InstrumentTalk {
  public:
@@ -60,7 +60,7 @@ class GeoComTalk : public InstrumentTalk {
   bool m_isAwake = false, m_isTaking = false, m_isIdentified = false;
   std::set<int> m_notAnswered;  ///< RPCs that this instrument refused
   bool m_hasAngles = false;
-  bool m_wasSpoiled = false;                 ///< the last answer to the first question was damaged
+  bool m_wasSpoiled = false;                 ///< the last answer to the pending question was damaged
   std::optional<bool> m_isCompensated = {};  ///< the compensator is on; absent: unknown
   InstrumentReading m_reading;               ///< valid if `m_hasAngles`
 };

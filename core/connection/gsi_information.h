@@ -11,7 +11,7 @@ namespace alidade {
 //
 //   4 compensator: 0 off, 1 and 3 on
 //   5 input: 0 as measured, 1 keyed in, 2 measured with the corrections of the horizontal circle on, 3 with
-//       these off, 4 the result of a function
+//       these corrections off, 4 the result of a function
 //   6 unit
 //
 // where a point replaces missing information. Source: GSI ONLINE for Leica TPS and DNA (Leica Geosystems,
@@ -26,7 +26,7 @@ struct GsiInformation {
 
 GsiInformation gsiInformation(const GsiWord& word);
 
-/// The corrections by the words of both circles, in the notation of a row; empty if not fully known.
+/// The corrections that the words of both circles state, in the notation of a row; empty if not fully known.
 std::string gsiCorrections(const GsiInformation& horizontal, const GsiInformation& vertical);
 
 /// The reason why the instrument does not guarantee one of these angles; empty if it does.

@@ -11,8 +11,8 @@ namespace alidade {
 // reading can also be requested by `GET/M/WI21/WI22`, whose answer is not acknowledged. The serial number is
 // requested once the port is open (`GET/I/WI12`) and stays empty without an answer. `@W…` and `@E…` are
 // warnings and errors. The words do not state the kind of vertical circle: that of the session is assumed.
-// Sources: GSI ONLINE for Leica TPS and DNA (Leica Geosystems, 2008), for words the TPS1100 manual. The time
-// before a block is repeated, and whether answers need no acknowledgement, depend on the instrument.
+// Sources: GSI ONLINE for Leica TPS and DNA (Leica Geosystems, 2008); for words, the TPS1100 manual. The time
+// before a block is repeated, and whether answers need an acknowledgement, depend on the instrument.
 
 class GsiTalk : public InstrumentTalk {
  public:

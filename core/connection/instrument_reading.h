@@ -25,7 +25,7 @@ struct InstrumentReading {
   std::optional<bool> isCompensated = {};  ///< the compensator was on; absent: unknown
   std::string serial;                      ///< serial number of the instrument; empty: unknown
   std::string takenAt;                     ///< time of arrival, ISO 8601 with zone; empty: not yet set
-  std::string point;                       ///< point number given by the instrument
+  std::string point;                       ///< point number stated by the instrument
 };
 
 /// The identity that an instrument states.

@@ -14,7 +14,7 @@ using Milliseconds = std::int64_t;
 
 // Bytes arrive in any portions: a line in many pieces, many lines in one piece, half a line after the cable
 // was pulled, a megabyte without a line end at a wrong speed. The results are whole lines, separated by CR
-// LF, CR or LF, and a sentence for each dropped one.
+// LF, CR or LF, and a sentence for each dropped line.
 
 class LineAssembler {
  public:
@@ -24,7 +24,7 @@ class LineAssembler {
   /// An incomplete line is dropped if nothing follows within `lineWithin`.
   explicit LineAssembler(Milliseconds lineWithin = 2000) : m_lineWithin(lineWithin) {}
 
-  /// Appends the completed lines, non-empty and without line ends, and a sentence for each that was too long.
+  /// Appends the completed lines, non-empty and without line ends, and a sentence for each overlong line.
   void take(std::string_view bytes, Milliseconds now, std::vector<std::string>& lines,
             std::vector<std::string>& remarks);
   /// Drops an incomplete line after the time limit, with a sentence.

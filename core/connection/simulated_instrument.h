@@ -108,7 +108,7 @@ class SimulatedInstrument {
   std::size_t m_at = 0;
   std::size_t m_faults = 0;  ///< number of simulated faults
   std::size_t m_codes = 0;   ///< number of answers without guarantee
-  bool m_isOther = false;    ///< the next answer is that of another instrument
+  bool m_isOther = false;    ///< the next angles are those of another instrument
   std::string m_line;        ///< received characters of an incomplete line
   struct Waiting {
     std::string block;

@@ -15,8 +15,8 @@ struct SimulatedSighting {
 };
 
 /// The sightings of a session in the order taken: for each position its pointing zero before the readings, in
-/// face 1 and in face 2, then its rows, then the zero after them in both faces. Missing zeros and rows with
-/// invalid circles are left out. `noise`: σ of the normal noise added to both circles, from `seed`.
+/// face 1 and in face 2, then its rows, then the zero after the rows, in both faces. Missing zeros and rows
+/// with invalid circle readings are left out. `noise`: σ of the normal noise in both circles, from `seed`.
 std::vector<SimulatedSighting> sightingsOf(const Session& session, Angle noise = {}, std::uint64_t seed = 1);
 
 }  // namespace alidade

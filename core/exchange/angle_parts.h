@@ -18,8 +18,8 @@ struct FileAngle {
 
 /// Joins degrees, minutes and seconds from separate cells into one text, `17 41 33`; the seconds are empty if
 /// the table has none. A sign holds for the whole angle, as in −0 12 30. Minutes and seconds of 60 carry.
-/// Parts may have their own marks (17° 41' 33"). Whole parts may have zeros as decimals. `isCentesimal`: gon
-/// with hundredths, and hundredths of these, carried at 100; 17 41 33 becomes 17.4133gon.
+/// Parts may have their own marks (17° 41' 33"). Whole parts may have zeros as decimals. `isCentesimal`: the
+/// parts are gon, 1/100 gon and 1/10000 gon, carried at 100; 17 41 33 becomes 17.4133gon.
 Result<FileAngle> joinedAngle(const std::array<std::string_view, 3>& parts, bool hasSeconds,
                               bool isCentesimal);
 

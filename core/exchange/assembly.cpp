@@ -179,7 +179,7 @@ class Assembly {
       if (sighting.row.face.empty()) sighting.row.face = "1";
   }
 
-  /// The first number after those already used in the position.
+  /// The first point number for the new readings of a position: after those of the session, else 1.
   int firstNumberAt(const PositionKey& key) const {
     int largest = 0;
     if (const Position* position = m_isAdded ? positionIn(m_options.base, key) : nullptr)
@@ -378,7 +378,7 @@ class Assembly {
         ImportedRows& rows = origins.back();
         ++rows.count;
         ++row;
-        const bool isSameLine = !rows.lines.empty() && rows.lines.back().second == line;  // both faces
+        const bool isSameLine = !rows.lines.empty() && rows.lines.back().second == line;  // of both faces
         if (isSameLine) continue;
         if (!rows.lines.empty() && rows.lines.back().second + 1 == line)
           rows.lines.back().second = line;

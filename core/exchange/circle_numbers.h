@@ -9,7 +9,7 @@
 
 namespace alidade {
 
-/// The numbers in a column of the rows; `areAll`: the column has at least one, and no other text.
+/// The numbers in a column of the rows; `areAll`: the column has at least one number, and no other text.
 struct ColumnNumbers {
   std::vector<double> values;
   bool areAll = false, areWhole = false;
@@ -21,8 +21,8 @@ ColumnNumbers numbersIn(const std::vector<TableCells>& rows, std::size_t column)
 /// The mean distance of the readings from the horizon, at `horizon` in face 1 and 3 × `horizon` in face 2.
 double spreadAround(const std::vector<double>& vertical, double horizon);
 
-/// Gon if a reading is 360 or more, else the unit whose horizon the vertical readings are much closer to;
-/// Unstated if neither horizon is. `all` holds the readings of both circles.
+/// Gon if a reading in `all`, of both circles, is 360 or more. Else the unit whose horizon, 90° or 100 gon,
+/// is less than half as far from the vertical readings as that of the other unit; else Unstated.
 AngleUnit unitByNumbers(const std::vector<double>& all, const std::vector<double>& vertical);
 
 /// Returns the number of adjacent columns from `column` on that hold degrees, minutes and perhaps seconds: 2

@@ -87,7 +87,7 @@ std::vector<std::string> withoutSuffixes(const std::vector<std::string>& words) 
   return parted;
 }
 
-/// Combines what the words of one heading say.
+/// Combines the meanings of the words of one heading.
 class NameReader {
  public:
   explicit NameReader(const std::vector<std::string>& words) : m_words(withoutSuffixes(words)) {}
@@ -190,13 +190,13 @@ class NameReader {
       m_isStrange = true;
   }
 
-  /// Does the word add nothing: a filler, or a unit such as degrees for the axis angle?
+  /// Is the word a filler, or a unit that adds nothing, such as the degrees of the axis angle?
   static bool saysNothing(std::string_view word) {
     return means(Role::Filler, word) || means(Role::Metre, word) || means(Role::Millimetre, word) ||
            means(Role::Degrees, word);
   }
 
-  /// Adds the face of a word; false without one. 1 and 2 need a circle or another field in the heading.
+  /// Adds the face that a word names; false if it names none. 1 and 2 count only with a circle or a field.
   bool takeFace(const std::string& word, bool isOfCircle) {
     const bool isOne = means(Role::FaceOne, word), isTwo = means(Role::FaceTwo, word);
     const bool isNumber = word == "1" || word == "2";

@@ -13,7 +13,7 @@ namespace alidade {
 struct ColumnName {
   std::optional<TableColumn> column = {};
   AngleUnit unit = AngleUnit::Unstated;
-  std::string verticalCircle = {};  ///< the kind that the name states; may be empty
+  std::string verticalCircle = {};  ///< kind of vertical circle that the name states; may be empty
   double metres = 1;                ///< per unit of a distance
   bool isHorizontal = false;        ///< the distance is horizontal
   bool isPart = false;  ///< degrees, minutes or seconds of `column`, or of the heading to the left or above
@@ -21,7 +21,7 @@ struct ColumnName {
   bool isCentesimal = false;  ///< minutes and seconds are hundredths
   bool isGrad = false;        ///< the unit is called grad: degrees in German, gon in French
   int face = 0;               ///< 1 or 2 if the name states the face, else 0
-  bool isWeak = false;        ///< names the column only if no other heading does: `H`, `No`
+  bool isWeak = false;        ///< ambiguous, `H` or `No`: used only if no other heading names this field
   bool isSpanish = false;     ///< the letters D and I of a face mean directo and inverso
   bool isUnderstood = false;  ///< there is at least one word, and all are known
 };
@@ -31,7 +31,7 @@ struct ColumnName {
 /// `headingWords`. A heading with an unknown word names nothing.
 ColumnName columnName(const std::string& text);
 
-/// Do these cells name columns? At least one name is known, and none holds a number.
+/// Do these cells name columns? At least one cell is a known name, and no cell is a number or an angle.
 bool areColumnNames(const std::vector<std::string>& cells);
 
 /// Does the row name both circles, or parts of them?

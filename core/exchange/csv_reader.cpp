@@ -44,7 +44,7 @@ std::string plainNumber(std::string text) {
   return !isPlain && parseWhole(text) ? plainSigns(text) : text;
 }
 
-/// Does the cell contain a digit, and not begin with a Latin letter?
+/// Does the cell contain a digit without beginning with a Latin letter?
 bool mayBeReading(const std::string& cell) {
   const char first = cell.empty() ? '\0' : cell.front();
   const bool isWord = (first >= 'a' && first <= 'z') || (first >= 'A' && first <= 'Z');
@@ -148,7 +148,7 @@ class CsvReader {
       unused.push_back(Phrase::of("line %1 begins with # and is not used, though it holds a reading", line));
   }
 
-  /// A sentence for each unused column with values: with known meaning if `isBySession`, else without.
+  /// A sentence for each unused column with values, of known meaning if `isBySession`, of unknown otherwise.
   std::vector<std::string> unusedSentences(bool isBySession) const {
     std::vector<std::string> sentences;
     for (std::size_t i = 0; i < m_unusedCells.size(); ++i)
@@ -223,7 +223,7 @@ class CsvReader {
     return false;
   }
 
-  /// The first number beyond the named columns; null for a remark there.
+  /// The first non-empty cell beyond the named columns if it has a digit; null if it is a remark or absent.
   const CsvCell* cellBeyond(const CsvRow& row) {
     for (std::size_t i = m_plan.columns.size(); i < row.cells.size(); ++i) {
       const std::string& text = row.cells[i].text;
@@ -236,7 +236,7 @@ class CsvReader {
     return nullptr;
   }
 
-  /// Do further cells continue the note? They do if blanks separate the columns and the last holds notes.
+  /// Do further cells continue a note? Blanks must separate cells, and the note's own cell must lack digits.
   bool isRestOfNote(const CsvRow& row) const {
     const std::size_t last = m_plan.columns.size() - 1;
     const auto& column = m_plan.columns[last].column;

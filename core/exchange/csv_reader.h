@@ -26,9 +26,9 @@ namespace alidade {
 /// 400 gon are 0.
 ///
 /// A unit in a heading, `Hz [gon]` or `v_deg`, holds for the plain numbers of its column; otherwise the unit
-/// of the layout does. For `grad`, the numbers decide between degrees and gon. The vertical circle reads
+/// of the layout holds. For `grad`, the numbers decide between degrees and gon. The vertical circle reads
 /// elevations if a heading says `elevation`, or if no heading names its kind and readings near the horizon
-/// are negative. If the layout states the decimal sign, numbers of a circle with the other one are refused.
+/// are negative. If the layout states the decimal sign, circle readings with the other sign are refused.
 /// Two columns for one field are refused; an ambiguous heading (`H`, `No`) gives way to a clear one.
 /// `unused` lists other columns, rows of means, rows without a reading, and lines that begin with # and hold
 /// readings of both circles.

@@ -22,7 +22,7 @@ namespace {
 
 constexpr std::string_view blanks = " \t";
 
-/// Does the line begin with #, other than as the name of the first column?
+/// Does the line begin with a # that is not the name of the first column?
 bool isComment(std::string_view line) {
   line.remove_prefix(std::min(line.find_first_not_of(blanks), line.size()));
   return line.starts_with('#') && line.size() > 1 &&
@@ -160,8 +160,8 @@ bool CsvTable::goOn() {
   return false;
 }
 
-/// Does the next character, `c`, separate cells? For `wideBlanks`, a blank does only if a blank or a tab
-/// follows. In a heading, a blank before a unit does not: Hz [gon].
+/// Does the next character, `c`, separate cells? With `wideBlanks`, a blank separates cells only if a blank
+/// or a tab follows. In a heading, a blank before a unit belongs to the cell: Hz [gon].
 bool CsvTable::isSeparator(char c) const {
   if (m_isHeading && c == ' ' && m_at + 1 < m_text.size() && isOneOf(m_text.substr(m_at + 1, 1), {"[", "("}))
     return false;

@@ -28,7 +28,7 @@ struct CsvRow {
 /// Splits a table into rows of cells (RFC 4180). Cells are separated by tabs, semicolons, | or commas, the
 /// first of these found in the first row, or by `separator`: a blank means any number of blanks and tabs,
 /// `wideBlanks` two or more (table_layout.h). A cell that begins with a double quote ends at the next quote
-/// that is not doubled, and may hold anything. Quotes elsewhere mean arcseconds and stay, as do those in a
+/// that is not doubled, and may hold anything. Quotes elsewhere mean arcseconds and stay, as do quotes in a
 /// row of only the signs ° ' ". Empty rows are skipped. A line that begins with # is a comment and is split
 /// without the #, unless the # names the first column. Reading stops with a problem at an unclosed quote
 /// outside a comment, and at the limits of rows and columns. ^Z (0x1A) ends the table, as it ends a DOS file.
@@ -70,7 +70,7 @@ class CsvTable {
   std::optional<LineProblem> m_problem;
 };
 
-/// The text with ； or ， replaced by ; or ,; absent unless its first row has no separators but these.
+/// The text with ； or ， replaced by ; or , if these are the only separators in its first row; else absent.
 std::optional<std::string> withPlainSeparators(std::string_view text);
 
 }  // namespace alidade

@@ -12,7 +12,7 @@ namespace alidade {
 
 namespace {
 
-/// Are these at most 15 digits, more than any circle has, with at most one point after the first digit?
+/// Is this a number of at most 15 digits, with at most one point after a digit? No circle has more digits.
 bool isCircleNumber(const std::string& number) {
   constexpr std::size_t most = 15;
   const auto digits = std::count_if(number.begin(), number.end(), isDigit);

@@ -5,7 +5,7 @@
 
 namespace alidade {
 
-/// An angle from an instrument's file in a notation of `parseAngle`, with every digit kept.
+/// An angle from an instrument's file in a notation of `parseAngle`, with every digit of the file.
 struct ExactAngle {
   std::string text;
   bool isCarried = false;  ///< 60 seconds or minutes were written and carried

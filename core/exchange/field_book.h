@@ -36,7 +36,7 @@ class FieldBook {
   void setAside(const std::string& what, std::size_t line);
   /// Lists a line outside the format. The first few are quoted; the others are counted.
   void setAsideLine(std::string_view text, std::size_t line);
-  /// Lists a part of a line outside the format, quoted or counted like such lines.
+  /// Lists a part of a line outside the format. The first few are quoted; the others are counted.
   void setAsidePart(std::string_view text, std::size_t line);
   /// Lists data that a session cannot hold but an instrument check can.
   void setAsideForCheck(const std::string& what, std::size_t line) { count(m_forCheck, what, line); }

@@ -4,8 +4,8 @@
 
 namespace alidade {
 
-// Does a text begin like a file of this field book? Used by the rows of `fileFormats`. The tests look for
-// marks that tables, GSI, M5 and SDR files lack.
+// Does a text begin like a file of the field book in the function's name? The rows of `fileFormats` use these
+// functions. They look for marks that tables, GSI, M5 and SDR files lack.
 
 /// `CO,Nikon RAW data format V2.00` and further comments (CO), or a station (ST) with sightings that have a
 /// time.

@@ -36,8 +36,8 @@ bool beginsWithLines(std::string_view beginning) {
                                         [](auto line) { return isBelowTitle(withoutIndent(line)); }));
 }
 
-/// Does the line contain a whole GSI word? A number in a table may begin like one, and a listing may have
-/// other text before its words.
+/// Does the line contain a whole GSI word? A number in a table may begin like a GSI word, and a listing may
+/// have other text before its words.
 bool isSoundGsi(std::string_view line) {
   constexpr int horizontal = 21, vertical = 22;
   const auto block = GsiBlocks({.number = 0, .text = line}).next();

@@ -17,7 +17,7 @@ struct FileFormat {
   std::string_view name;                   ///< for people: "Leica GSI"
   std::vector<std::string_view> suffixes;  ///< lower case, without a point
 
-  /// Is this the beginning of such a file? UTF-8 text, or bytes for a binary format.
+  /// Does a file of the format begin like this UTF-8 text, or like these bytes if the format is binary?
   bool (*looksLike)(std::string_view beginning);
 
   /// Reads the whole text; null: files of the format are named and refused.
@@ -25,9 +25,9 @@ struct FileFormat {
 
   std::string_view kinds = {};    ///< what is read, for help: "Leica GSI-8 and GSI-16"
   const char* reason = nullptr;   ///< if the format is read: how it was recognised
-  const char* refusal = nullptr;  ///< if not read: says so, with %1 for `name`, and what to do instead
+  const char* refusal = nullptr;  ///< if the format is not read: the refusal, %1 for `name`, and the remedy
   bool isBinary = false;          ///< the bytes are not text
-  bool mayHoldSession = false;    ///< a file with such a suffix is searched for a session
+  bool mayHoldSession = false;    ///< a file with one of the suffixes is searched for a session
 };
 
 /// All formats except tables, in the order in which they are tried. A file that matches none is a table.
@@ -40,7 +40,7 @@ const FileFormat* formatOfText(std::string_view beginning);
 Problem notRead(const FileFormat& format);
 
 /// The text of a file of readings, converted by `utf8Text`. Files of binary formats fail with the name of
-/// their format; `fileName`, which may be empty, identifies those without a mark of their own.
+/// their format; `fileName`, which may be empty, identifies formats without a mark of their own.
 Result<std::string> readingsText(std::string_view bytes, std::string_view fileName = {});
 
 /// The readable formats, for a sentence: `Leica GSI-8 and GSI-16, Zeiss and Trimble M5, …, and tables`.
@@ -52,8 +52,8 @@ std::vector<std::string_view> readableFormats();
 /// Suffixes of files of readings, tables included; lower case, without a point, each once.
 std::vector<std::string_view> readingsSuffixes();
 
-/// Does this suffix (in any case) belong to readings, or to a format that is named and refused? Opening such
-/// a file imports it or says why it cannot be read.
+/// Does this suffix (in any case) belong to readings, or to a format that is named and refused? Opening a
+/// file with the suffix imports the file or says why it cannot be read.
 bool isImportedSuffix(std::string_view suffix);
 
 }  // namespace alidade

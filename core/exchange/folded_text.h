@@ -5,9 +5,9 @@
 
 namespace alidade {
 
-/// `text` for comparing words that people write: with the signs of `plainSigns`, in lower case, and Latin and
-/// Cyrillic letters without accents. `Höhe` and `HOHE` are `hohe`, `Приём` is `прием`, `ß` is `ss`, `№` is
-/// `no`.
+/// `text` in a form for comparing words: it has the signs of `plainSigns` and lower-case letters, and its
+/// Latin and Cyrillic letters have no accents. `Höhe` and `HOHE` become `hohe`, `Приём` becomes `прием`, `ß`
+/// becomes `ss`, `№` becomes `no`.
 std::string foldedText(std::string_view text);
 
 }  // namespace alidade

@@ -4,8 +4,8 @@
 
 namespace alidade {
 
-// Do these first bytes, or this beginning of a text, belong to a file that cannot hold readings directly?
-// Used by the rows of `fileFormats`; the tests look for the marks at the start of these formats.
+// Do the first bytes, or the beginning of a text, belong to the kind of file in the function's name? None of
+// these kinds can hold readings directly. The rows of `fileFormats` use these functions.
 
 bool looksLikePdf(std::string_view bytes);
 bool looksLikeExcel(std::string_view bytes);         ///< XLSX: a ZIP archive with the parts of a workbook
@@ -16,7 +16,7 @@ bool looksLikeDatabase(std::string_view bytes);      ///< SQLite, Access
 bool looksLikeImage(std::string_view bytes);         ///< PNG, JPEG, GIF, TIFF, BMP, WebP, HEIC
 bool looksLikeDrawing(std::string_view bytes);       ///< DWG
 bool looksLikeCarlsonCrd(std::string_view bytes);
-bool looksLikeNothing(std::string_view bytes);  ///< formats known by their suffix only
+bool looksLikeNothing(std::string_view bytes);  ///< false: for formats known by their suffix only
 
 bool looksLikeDxf(std::string_view text);
 bool looksLikeRtf(std::string_view text);

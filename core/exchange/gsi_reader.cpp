@@ -156,8 +156,8 @@ class GsiReader {
     return word.index == codeIndex || word.index == codeNumberIndex;
   }
 
-  /// The station that the code block begins. Total stations write code 21, older ones 2, with the station's
-  /// name in word 42.
+  /// The station that the code block begins. Total stations write code 21, older instruments 2, with the
+  /// station's name in word 42.
   static std::optional<std::string> stationOf(const std::string& code, const std::string& further) {
     const bool isSetUp = (code == "21" || code == "2") && !further.empty();
     return isSetUp ? std::optional(further) : stationMark(code, further);
@@ -241,7 +241,7 @@ class GsiReader {
     return true;
   }
 
-  /// Enters the distance; the slope distance if both are given.
+  /// Enters the distance; the slope distance if the block has both.
   void takeDistance(const GsiWord& word, std::size_t line, RecordedSighting& sighting) {
     if (!word.isWhole) return m_book.setAside(gsiWordName(word.index), line);
     m_book.setAsideForCheck(gsiWordName(word.index), line);

@@ -8,10 +8,10 @@
 namespace alidade {
 
 /// Reads a Leica GSI-8 or GSI-16 file (gsi_word.h). A block with words 21 and 22 is one sighting of the point
-/// named by its word 11. Remarks (71-79) become the note, 12, 13 and 17 the instrument and the date. `unused`
-/// lists data that a session cannot hold: coordinates, blocks without angles, lines beginning with @, ? or %,
-/// which are an instrument's messages, and with #. Observers state the rest by names, keyed in as point
-/// numbers or code blocks (word 41; a number may follow in word 42):
+/// named by its word 11. Words 71-79, remarks, become the note; 12, 13 and 17 are the instrument and the
+/// date. `unused` lists data that a session cannot hold: coordinates, blocks without angles, lines with # and
+/// an instrument's messages, which begin with @, ? or %. Observers state axis, round, zero and station by
+/// names, keyed in as point numbers or code blocks (word 41; a number may follow in word 42):
 ///
 ///   code 0 or AXIS0, 180 or AXIS180: the following sightings were taken at that position of the axis
 ///   code ROUND2, or ROUND and 2: the following sightings are of that round

@@ -34,14 +34,14 @@ bool beginsWord(std::string_view text) {
          std::all_of(text.begin() + 2, text.begin() + 6, isInformation) && (text[6] == '+' || text[6] == '-');
 }
 
-/// Does the text look like a damaged word, not a date? Two digits, a third or a point, and a sign soon after.
+/// Does the text look like a damaged word: two digits, a third or a point, and a sign in characters 4 to 10?
 bool isNearlyWord(std::string_view text) {
   constexpr std::size_t farthestSign = 9;
   const std::size_t sign = text.find_first_of("+-");
   return sign > 2 && sign <= farthestSign && isDigit(text[0]) && isDigit(text[1]) && isInformation(text[2]);
 }
 
-/// Can a word end before this text? After blanks it must be empty or another word, perhaps after a *.
+/// Can a word end before this text? After blanks the text must be empty or begin a word, perhaps after a *.
 bool isBeforeWord(std::string_view text) {
   text.remove_prefix(blanksAt(text));
   if (text.starts_with('*')) text.remove_prefix(1);
@@ -84,7 +84,7 @@ bool isCheckSum(std::string_view text) {
          text.find_first_not_of("0123456789ABCDEFabcdef", 1) == std::string_view::npos;
 }
 
-/// Is this a comma or semicolon, which some programs write between words and after the last?
+/// Is this a comma or semicolon, which some programs write between words and after the last word?
 bool isSeparator(std::string_view text) {
   if (text.empty() || (text[0] != ',' && text[0] != ';')) return false;
   text.remove_prefix(1);
@@ -92,7 +92,7 @@ bool isSeparator(std::string_view text) {
   return text.empty() || beginsWord(text);
 }
 
-/// Can a word of the right width end here?
+/// Can a word of the right width end before `text[at]`?
 bool mayEndWord(std::string_view text, std::size_t at) {
   const std::string_view rest = text.substr(at);
   if (rest.empty() || isGsiBlank(rest[0])) return true;
@@ -115,7 +115,7 @@ std::size_t endBeforeWord(std::string_view text) {
   return text.size();
 }
 
-/// Is the word like almost all: of exactly the format's width in ASCII characters, without a blank?
+/// Does the data have the format's width in ASCII characters without blanks, as almost all words do?
 bool isPlainWord(std::string_view text, std::size_t width) {
   if (text.size() < width || (text.size() > width && text[width] != ' ')) return false;
   return std::all_of(text.begin(), text.begin() + static_cast<std::ptrdiff_t>(width),
@@ -203,7 +203,7 @@ void GsiBlocks::skipBlanks() {
   skip(blanksAt(m_rest));
 }
 
-/// Skips the * of a wide block if a word follows it; false if there is none.
+/// Skips the * of a wide block if a word follows it; false if nothing was skipped.
 bool GsiBlocks::takeStar() {
   if (!m_rest.starts_with('*')) return false;
   const std::size_t behind = 1 + blanksAt(m_rest.substr(1));

@@ -40,7 +40,7 @@ struct GsiWord {
 struct GsiBlock {
   std::vector<GsiWord> words;
   std::vector<GsiWord>
-      torn;  ///< text that does not form words: `data` is all of it, `index` its leading digits or 0
+      torn;  ///< text that does not form words: `data` is the text, `index` its leading digits or 0
 };
 
 /// Does the line begin like a GSI block?
@@ -77,20 +77,20 @@ std::string gsiText(const GsiWord& word);
 /// The place of a written decimal sign in degrees, minutes and seconds: DDD.MMSSs or DDDMMSS.s.
 enum class GsiPoint { BehindDegrees, BehindSeconds };
 
-/// BehindSeconds if more than three digits precede the sign; else absent, and another word of the block may
-/// show it.
+/// BehindSeconds if more than three digits precede the decimal sign; else absent, and only another word of
+/// the block can show the place.
 std::optional<GsiPoint> gsiPoint(const GsiWord& word);
 
-/// The angle of a word in a notation of `parseAngle`, with every digit kept: `133.84650gon`, `123.45670°`,
-/// `35°45'10.0"`; mil as exact decimal degrees; a full turn as 0. Else the reason why there is none.
+/// The angle of a word in a notation of `parseAngle`, with every digit of the word: `133.84650gon`,
+/// `123.45670°`, `35°45'10.0"`; mil as exact decimal degrees; a full turn as 0. Else the reason of refusal.
 std::variant<ExactAngle, LineProblem> gsiExactAngle(const GsiWord& word, std::size_t line,
                                                     std::optional<GsiPoint> point = {});
 
 /// The angle of `gsiExactAngle` as text.
 std::variant<std::string, LineProblem> gsiAngle(const GsiWord& word, std::size_t line);
 
-/// The length of a word in metres: unit 0 is mm, 1 a thousandth of a foot; 6, 7 and 8 have 4, 4 and 5
-/// decimals of metres, feet and metres. Absent if it is not a length.
+/// The length of a word in metres. Unit 0 is 1 mm, 1 is 0.001 ft, 6 is 0.1 mm, 7 is 0.0001 ft and 8 is
+/// 0.01 mm. Absent for other units, negative values and data with a written decimal sign.
 std::optional<double> gsiMetres(const GsiWord& word);
 
 /// The meaning of an index, for people; "word 99" if it is unknown.

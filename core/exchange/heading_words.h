@@ -6,8 +6,8 @@
 
 namespace alidade {
 
-/// The possible meanings of a word in the heading of a column. One word may have several: `m` is metres or
-/// minutes.
+/// The possible meanings of a word in the heading of a column. One word may have several meanings: `m` is
+/// metres or minutes.
 enum class HeadingRole {
   Axis,
   Turn,

@@ -37,7 +37,7 @@ Result<Recording> readRecording(const ReadingsFile& file, const ImportOptions& o
   return readTable(*text, file.table ? *file.table : asNamed(*recognised, options.unit), options.zeroPoint);
 }
 
-/// The problem of a turn line after the last reading: all readings would silently be at 0°.
+/// The problem if `turnedAtLine` is after the last reading: no reading is at 180°.
 std::optional<Problem> turnedBehindTheEnd(const Recording& recording, const ReadingsFile& file) {
   const std::size_t last = std::ranges::max_element(recording.sightings, {}, &RecordedSighting::line)->line;
   if (!file.turnedAtLine || *file.turnedAtLine <= last) return std::nullopt;

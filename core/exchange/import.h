@@ -27,7 +27,7 @@ struct ReadingsFile {
 
 /// Options for all files of an import.
 struct ImportOptions {
-  Session base = blankSession();            ///< the session that receives the readings, after any it has
+  Session base = blankSession();            ///< session to which the readings are added, after its own
   AngleUnit unit = AngleUnit::Unstated;     ///< unit of plain numbers in columns whose heading states none
   std::string zeroPoint;                    ///< name of the zero; empty: ZERO, in instrument files also 0
   std::optional<std::size_t> turnedAtLine;  ///< for a single file, as in `ReadingsFile`
@@ -40,7 +40,7 @@ struct ImportedRows {
   std::vector<std::pair<std::size_t, std::size_t>> lines;  ///< first and last line of each run, from 1
 };
 
-/// A session made from files of readings, or a session with their readings added.
+/// A session made from files of readings, or an existing session with the readings added.
 struct Import {
   Session session;
   std::string format;                 ///< all formats of the files: "GSI-8", "SDR33", "JobXML", "CSV"

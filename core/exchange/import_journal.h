@@ -8,7 +8,7 @@
 
 namespace alidade {
 
-/// Line ranges such as `2–18, 20, 22–30`; of very many, the first twenty and the end of the last.
+/// Line ranges such as `2–18, 20, 22–30`; of more than twenty ranges, the first twenty and the last line.
 std::string linesText(const ImportedRows& rows);
 
 /// A file that was imported.
@@ -16,8 +16,8 @@ struct ImportedFile {
   std::string name, sha256;  ///< name, and SHA-256 of the file's bytes
 };
 
-/// One entry for the rows of each file in each position, without time, operator and hash: their lines in the
-/// file, in row order, and the file's SHA-256. `files`: those of the import.
+/// One entry for the rows of each file in each position, without time, operator and hash. It states the lines
+/// of the rows in the file, in row order, and the file's SHA-256. `files`: those of the import.
 std::vector<JournalEntry> importEntries(const Import& import, const std::vector<ImportedFile>& files);
 
 }  // namespace alidade

@@ -18,12 +18,12 @@ bool looksLikeM5(std::string_view line);
 ///
 /// Bars, not columns, separate the blocks: some programs pad less. A line of a point (PI) with Hz and V1,
 /// zenith angle, or V3, height angle, is one sighting. The units are gon, DEG, DMS (89.1413 is 89°14'13") and
-/// mil. If a heading line gives the place of the point within the 22-48 field, its 12 characters are the
-/// point, else the last word is. The text before it becomes the note. 01 and 02 are the instrument. Texts
-/// have the meaning of code blocks in GSI (gsi_reader.h), and points 0 and ZERO, or `zeroPoint`, are the
-/// pointing zero. The file does not state the face. A set-up text such as KN STAT begins a station, and a
-/// point of code S before its sightings names it. `unused` lists data that a session cannot hold. The address
-/// may be missing.
+/// mil. A heading line may state where the 12 characters of the point begin in columns 22-48; otherwise the
+/// last word is the point. The text before the point becomes the note. Values 01 and 02 are the instrument's
+/// name and serial number. Texts have the meaning of code blocks in GSI (gsi_reader.h), and points 0 and
+/// ZERO, or `zeroPoint`, are the pointing zero. The file does not state the face. A set-up text such as KN
+/// STAT begins a station; a point of code S before the first sighting names the station. `unused` lists data
+/// that a session cannot hold. The address may be missing.
 Recording readM5(std::string_view text, const std::string& zeroPoint = {});
 
 }  // namespace alidade

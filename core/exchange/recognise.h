@@ -29,7 +29,7 @@ struct Recognised {
 
   bool isTable() const { return format == nullptr; }
 
-  /// A text that is equal for files of the same make: the choices made for one apply to the next.
+  /// A text that is equal for files of one origin: the choices for one file apply to the next file.
   std::string signature() const;
 };
 

@@ -98,8 +98,8 @@ class TableRecognition {
  private:
   void reason(const std::string& sentence) { m_found.reasons.push_back(sentence); }
 
-  /// Tabs, semicolons and | always separate cells. Otherwise blanks do if they fit the rows better than
-  /// commas; else commas.
+  /// Tabs, semicolons and | always separate cells. Without them, blanks separate cells if blanks fit the rows
+  /// better than commas; else commas do.
   void chooseSeparator() {
     const std::string_view line = firstLine();
     for (const char separator : {'\t', ';', '|'})
@@ -114,7 +114,7 @@ class TableRecognition {
     reason(blank ? Phrase::of("blanks separate the columns") : Phrase::of("commas separate the columns"));
   }
 
-  /// A blank or `wideBlanks`, whichever fits the names and the readings better; 0 if commas do.
+  /// A blank or `wideBlanks`, whichever fits the names and the readings better; 0 if commas fit best.
   char blankSeparator() const {
     const std::vector<TableCells> byCommas = rowsOf(m_text, ',');
     if (fitOfNames(byCommas).areNamed) return '\0';
@@ -232,7 +232,7 @@ class TableRecognition {
     reason(hasComma ? Phrase::of("the decimal sign is a comma") : Phrase::of("the decimal sign is a point"));
   }
 
-  /// The plain numbers of a circle whose name has no unit.
+  /// The plain numbers of the circle `key`; empty if its heading has a unit.
   std::vector<double> plainOf(std::string_view key) const {
     std::vector<double> numbers;
     const auto column = columnOf(key);
@@ -247,8 +247,8 @@ class TableRecognition {
     return numbers;
   }
 
-  /// Proposes the unit. Only readings in gon exceed 360; only decimal degrees and gon have more than 59 in
-  /// the place of minutes.
+  /// Proposes the unit. Only readings in gon exceed 360. Only decimal degrees and gon have more than 59
+  /// in the first two decimals, which hold minutes in degrees.minutes-seconds.
   void chooseUnit() {
     const std::vector<double> horizontal = plainOf("horizontal"), vertical = plainOf("vertical");
     std::vector<double> all = horizontal;

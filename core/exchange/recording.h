@@ -23,7 +23,7 @@ struct LineProblem {
   bool operator==(const LineProblem&) const = default;
 };
 
-/// One entry as in the file. Empty text: the file does not state it.
+/// One entry as in the file. An empty text means that the file does not state the entry.
 struct RecordedEntry {
   std::string text;
   std::size_t column = 0;  ///< as in LineProblem
@@ -67,9 +67,9 @@ struct Recording {
   std::vector<std::string> unusedBySession;
   std::vector<LineProblem> distanceProblems;  ///< unreadable distances; the rest of their lines is used
   std::map<std::string, std::size_t> stationIndices;  ///< indices into `stations` by name
-  std::vector<std::string> stations{{}};              ///< names; the first, empty, is used if none is stated
+  std::vector<std::string> stations{{}};              ///< names; the first is empty: no station stated
 
-  /// The index of a station; an unknown one is added.
+  /// The index of the station with this name, which is added if it is new.
   std::size_t stationNamed(const std::string& name);
 };
 

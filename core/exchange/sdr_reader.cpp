@@ -30,8 +30,8 @@ struct SightingColumns {
 constexpr SightingColumns columnsOf33{{5, 20}, {21, 36}, {53, 68}, {69, 84}, {85, 100}};
 constexpr SightingColumns columnsOf2x{{5, 8}, {9, 12}, {23, 32}, {33, 42}, {43, 58}};
 
-/// Record types that are not used, and their names; those for target height, atmosphere, scale, bearing to a
-/// station and job are ignored silently.
+/// Record types that are not used. `what` names the data in a remark. Null: target height, atmosphere, scale,
+/// bearing to a station and job are ignored without a remark.
 struct UnusedRecord {
   std::string_view type;
   const char* what;

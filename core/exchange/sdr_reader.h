@@ -12,7 +12,7 @@ bool looksLikeSdr(std::string_view line);
 
 /// Reads a Sokkia SDR33 or SDR2x file, as described in “Interfacing with the SOKKIA SDR Electronic Field
 /// Book” (1999), chapter 3: a record is a line with a type (2 digits), its origin (2 letters) and fields at
-/// fixed columns. These are used:
+/// fixed columns. The following records are used:
 ///
 ///   00: version 5-20; unit of angles 41 (1 decimal degrees, 2 gon); direction 46 (1 to the right)
 ///   01: instrument 6-21, serial number 22-27; vertical circle 51 (1 zenith, 2 horizon)
@@ -24,8 +24,8 @@ bool looksLikeSdr(std::string_view line);
 ///
 /// Points 0 and ZERO, or `zeroPoint`, are the pointing zero. Records 09MC hold corrected means and azimuths
 /// instead of circle readings: `unused` lists them with all else that a session cannot hold, such as deleted
-/// (DD) and unknown records. A file with nothing else is refused. Mils are refused: descriptions disagree on
-/// their code in the heading.
+/// (DD) and unknown records. A file whose only observations are 09MC is refused. Mils are refused:
+/// descriptions disagree on their code in the heading.
 Recording readSdr(std::string_view text, const std::string& zeroPoint = {});
 
 }  // namespace alidade

@@ -37,8 +37,8 @@ bool holdsAngles(const std::vector<TableCells>& rows, std::size_t column) {
   return 2 * count > all;
 }
 
-/// Degrees, minutes and seconds twice, in adjacent columns. The last such columns are taken: earlier ones may
-/// match by chance.
+/// Two adjacent groups of degrees, minutes and perhaps seconds. The last two such groups are the circles:
+/// earlier columns may match by chance.
 std::optional<CircleColumns> joinedCircles(const std::vector<TableCells>& rows, std::size_t width) {
   for (const std::size_t count : {std::size_t{3}, std::size_t{2}})
     for (std::size_t at = width; at-- > 0;) {

@@ -13,13 +13,13 @@ bool mayBeAngle(const std::string& cell);
 /// Does the cell have a decimal sign, or is it an angle with signs or separators?
 bool hasDecimals(const std::string& cell);
 
-/// Guesses the columns of a table without names, as keys of `TableLayout::columns`. The circles are degrees,
-/// minutes and seconds in adjacent columns, twice, or else the first two columns of angles with decimals,
-/// horizontal first. Before them, a column of 0 and 180 is the axis, one of 1 and 2 the face, another the
-/// point. False if two circles cannot be found.
+/// Guesses the columns of a table without names, as keys of `TableLayout::columns`. The circles are two
+/// adjacent groups of degrees, minutes and seconds, or else the first two columns of angles with decimals;
+/// the horizontal circle comes first. Before the circles, a column of 0 and 180 is the axis, one of 1 and 2
+/// the face, another one the point. False if two circles cannot be found.
 bool guessColumns(const std::vector<TableCells>& rows, std::vector<std::string>& columns);
 
-/// The columns that together hold one angle, by their keys.
+/// The groups of columns that together hold one angle, by the keys of the columns.
 std::vector<JoinableColumns> joinedColumns(const std::vector<std::string>& columns);
 
 }  // namespace alidade

@@ -6,9 +6,9 @@
 
 namespace alidade {
 
-/// The names of the faces in one table. Paired with I under a Spanish heading, D is directo; paired with R,
-/// it is direct; with G, droite. CD is círculo directo if paired with CI and cercle droit with CG. Without
-/// such a pair these letters are ambiguous and mean nothing.
+/// The names of the faces in one table. D means directo with I under a Spanish heading, direct with R, and
+/// droite with G. CD means círculo directo with CI, and cercle droit with CG. Without its counterpart in the
+/// table, D or CD is ambiguous and means nothing.
 class FaceWords {
  public:
   FaceWords() = default;

@@ -175,7 +175,7 @@ class TablePlanner {
     return faces;
   }
 
-  /// Headings state faces only if those of both circles state the same ones. Otherwise the words mean
+  /// Face words count only if the headings of both circles name the same faces. Otherwise the words mean
   /// something else, as V1 in an M5 file.
   void determineFaces() {
     std::set<int> horizontal = facesOf(&Reading::horizontal), vertical = facesOf(&Reading::vertical);
@@ -284,8 +284,8 @@ class TablePlanner {
     }
   }
 
-  /// Refuses whole degrees next to an unnamed column that may hold their minutes: the reading would lose
-  /// them.
+  /// Refuses whole degrees next to an unnamed column that may hold their minutes: the reading would lose the
+  /// minutes.
   void findLostParts() {
     for (const PlannedAngle& angle : m_plan.angles) {
       const std::size_t at = angle.at[0];
@@ -304,7 +304,7 @@ class TablePlanner {
     }
   }
 
-  /// Refuses a column of signs, which the angles would lose.
+  /// Refuses a column of signs: the angles would lose their signs.
   void findLostSigns() {
     for (std::size_t i = 0; i < m_plan.columns.size(); ++i) {
       if (m_plan.columns[i].column) continue;
@@ -331,8 +331,8 @@ class TablePlanner {
     return width;
   }
 
-  /// May the column, which has no field, hold a lost part? It follows the degrees or is called minutes or
-  /// seconds.
+  /// May a column without a field hold a lost part of the angle? It follows the degrees or is called minutes
+  /// or seconds.
   bool mayBeLost(std::size_t column, std::size_t degrees) const {
     const bool isNamed = column < m_plan.columns.size();
     if (isNamed && m_plan.columns[column].column) return false;

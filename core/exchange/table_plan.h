@@ -31,7 +31,7 @@ struct PlannedAngle {
 /// The columns of a table, identified by their headings, which may have several rows, and by the numbers
 /// below them.
 struct TablePlan {
-  std::vector<TableCells> headings;  ///< heading rows: above the names, the names, units or parts below
+  std::vector<TableCells> headings;  ///< rows above the names, the names, rows of units or parts below
   TableCells names;                  ///< a text for each column, for sentences
   std::vector<ColumnName> columns;
   std::vector<PlannedAngle> angles;
@@ -39,7 +39,7 @@ struct TablePlan {
   bool hasBothFaces = false;   ///< each row has columns for both faces
   int face = 0;                ///< face of all sightings, if the headings state it; else 0
   std::string verticalCircle;  ///< "zenith", "elevation", or empty
-  /// The reason why the table cannot be read; the column counts from 0.
+  /// The reason why the table cannot be read; `problemColumn` counts from 0.
   std::optional<std::string> problem;
   std::size_t problemColumn = 0;
 

@@ -16,7 +16,7 @@ namespace alidade {
 
 namespace {
 
-/// A character of Windows-1252 that differs from Latin-1 and occurs in angles; � for the others.
+/// A character of Windows-1252 that differs from Latin-1 and occurs in angles; � for other bytes.
 const char* windowsSign(unsigned char byte) {
   switch (byte) {
     case 0x85:
@@ -88,8 +88,8 @@ bool isCyrillicLetter(char c) {
   return isWithin(c, 0xC0, 0xFF) || isWithin(c, 0xA8, 0xA8) || isWithin(c, 0xB8, 0xB8);
 }
 
-/// Are most bytes beyond ASCII in words of three or more Cyrillic letters? Accented Latin letters are not.
-/// `only`: all bytes beyond ASCII must also be capitals, which may as well be common Chinese characters.
+/// Are most bytes beyond ASCII in words of three or more Cyrillic letters? Accented Latin letters are in
+/// no such words. `only`: all bytes beyond ASCII must be capitals; pairs of them can be common Chinese, too.
 bool looksCyrillic(std::string_view bytes, bool only) {
   constexpr std::size_t shortestWord = 3;
   std::size_t inWords = 0, all = 0, run = 0;

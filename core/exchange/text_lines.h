@@ -16,7 +16,7 @@ struct TextLine {
 };
 
 /// The lines of a text, separated by LF, CR LF or CR, one at a time: a list of many short lines would take
-/// many times the memory of the text. ^Z (0x1A) ends them, as it ends a DOS file. The views live as long as
+/// many times the memory of the text. ^Z (0x1A) ends the text, as in a DOS file. The views live as long as
 /// `text`.
 class TextLines {
  public:
@@ -39,10 +39,10 @@ std::string_view untilEndOfFile(std::string_view text);
 std::size_t characterCount(std::string_view text);
 
 /// The text of a file as UTF-8, without a byte order mark. Bytes that are neither UTF-8 nor UTF-16 are read
-/// as GB 18030 or Windows-1251 if they look so (text_encoding.h). Others are read as Windows-1252, in which
-/// spreadsheets write ° and primes. Control characters at the beginning of a line are removed, others become
-/// blanks: instruments send STX, ETX and BEL, and pad lines with NUL. ^Z ends the text. It is kept only if
-/// content worth reporting follows. Fails on bytes that are not text, and on texts above the size limit.
+/// as GB 18030 or Windows-1251 if they look Chinese or Cyrillic (text_encoding.h), else as Windows-1252, in
+/// which spreadsheets write ° and primes. Control characters at the beginning of a line are removed;
+/// others become blanks: instruments send STX, ETX and BEL, and pad lines with NUL. ^Z ends the text and
+/// stays only if content worth reporting follows. Fails if the bytes are not text or exceed the size limit.
 Result<std::string> utf8Text(std::string_view bytes);
 
 }  // namespace alidade

@@ -22,12 +22,12 @@ std::string nameOf(const PositionKey& key);
 const Position* positionIn(const Session& session, const PositionKey& key);
 
 /// Assigns positions to the sightings. A return of the axis begins a new repeat, with its own pointing zeros,
-/// if points are sighted again and nothing states another round. The rows of `base` came before; a position
-/// of `base` without rows is filled next.
+/// if points are sighted again and no other round is stated. The rows of `base` precede the sightings; a
+/// position of `base` without rows is filled next.
 void takePositions(std::vector<RecordedSighting>& sightings, const Session& base);
 
 /// Assigns a round to sightings without one: the first that neither the file nor `base` states for the point
-/// and face in the position. True if one is above 1.
+/// and face in the position. True if an assigned round is above 1.
 bool takeRounds(std::vector<RecordedSighting>& sightings, const Session& base);
 
 }  // namespace alidade

@@ -17,9 +17,9 @@ class XmlBook : public FieldBook {
 
   const XmlFile& file() const { return m_file; }
 
-  /// Adds a set-up. A second one on a point, with another orientation of the circle, is named `K1 (2)`.
+  /// Adds a set-up. A second set-up on a point, with another orientation of the circle, is named `K1 (2)`.
   void addSetUp(const std::string& id, std::string station);
-  /// The sightings that follow are from that set-up; an unknown ID changes nothing.
+  /// The sightings that follow belong to the set-up with this ID; an unknown ID changes nothing.
   void goTo(const std::string& id, std::size_t line);
   /// Empty texts are ignored.
   void takeInstrument(const std::string& name, const std::string& serial, std::size_t line);

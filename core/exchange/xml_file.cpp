@@ -17,7 +17,7 @@ namespace alidade {
 
 namespace {
 
-/// Marks that begin or end an element or an attribute, which take up to 64 bytes of memory each.
+/// Most signs < and =; the element or attribute at each takes up to 64 bytes of memory.
 constexpr std::size_t mostMarks = 8'000'000;
 
 bool hasTooManyMarks(std::string_view text) {
@@ -35,7 +35,7 @@ std::vector<std::size_t> lineStartsOf(std::string_view text) {
   return starts;
 }
 
-/// The digits with the decimal point after the first `whole` digits; fills in zeros where there are none.
+/// The digits with the decimal point after the first `whole` digits; zeros fill missing places.
 std::string withPointAt(const std::string& digits, std::ptrdiff_t whole) {
   const auto size = static_cast<std::ptrdiff_t>(digits.size());
   if (whole <= 0) return "0." + std::string(static_cast<std::size_t>(-whole), '0') + digits;

@@ -16,9 +16,9 @@ class xml_node;
 
 namespace alidade {
 
-/// The elements of an XML text with their line numbers. Only predefined entities are expanded, and only the
-/// text itself is read. A text above the limit of marks has a problem and no elements. If elements are not
-/// closed, there is a problem, and the elements before it are available.
+/// The elements of an XML text with their line numbers. Only predefined entities are expanded, and no other
+/// file is read. A text above the limit of marks has a problem and no elements. If an element is not closed,
+/// there is a problem, and the elements before the fault are available.
 class XmlFile {
  public:
   /// `text` is UTF-8, whatever its declaration states; owned by the caller.
@@ -51,7 +51,7 @@ std::string xmlText(const pugi::xml_node& element, std::string_view name);
 /// The value of an attribute, without surrounding blanks.
 std::string xmlValue(const pugi::xml_node& element, const char* name);
 
-/// A number of XML Schema (double) in plain digits, with every digit kept: `4.5e-05` becomes `0.000045`.
+/// A number of XML Schema (double) in plain digits, without rounding: `4.5e-05` becomes `0.000045`.
 /// Absent if it is not a number, or has more digits than any reading.
 std::optional<std::string> plainXmlNumber(std::string_view text);
 
@@ -64,8 +64,8 @@ struct XmlCircles {
   AngleUnit unit = AngleUnit::Degrees;
   std::string face = {};  ///< "1", "2", or empty if the file does not state it
 };
-/// Enters the circles in `sighting`, full circles as zeros. Absent: entered. Otherwise the reason why they
-/// cannot be used: one is missing, is not an angle, lies beyond the circle, or contradicts the face.
+/// Enters the circles in `sighting`, full circles as zeros. Absent if both were entered; otherwise the reason
+/// why not: one is missing, is not an angle, lies beyond the circle, or contradicts the face.
 std::optional<std::string> enterCircles(const XmlCircles& circles, RecordedSighting& sighting);
 
 }  // namespace alidade

@@ -21,7 +21,7 @@ struct ZeissValue {
   std::string type, number, unit;
 };
 
-/// Splits `Hz 107.1225 gon `; the type is empty if the block is.
+/// Splits `Hz 107.1225 gon `; the type is empty if the block is empty.
 ZeissValue zeissValue(std::string_view block) {
   const std::string text = trimmed(block);
   constexpr std::size_t typeLength = 2;

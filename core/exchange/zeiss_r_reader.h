@@ -16,8 +16,8 @@ bool looksLikeZeissR(std::string_view line);
 ///   For R5|Adr 0008|KR NTR1100|X 21.259 m |Y 59.620 m |Z 11.256 m |
 ///   For R4| KR NTR1100|…
 ///
-/// The first block has a kind of two characters, a blank, a code of three characters and a point number of
-/// four; then follow up to three values, each with its type and unit. R4 has no address. A line with Hz and
+/// The block before the values has a kind of two characters, a blank, a code of three characters and a point
+/// number of four. Up to three values have a type and a unit each. R4 has no address. A line with Hz and
 /// V1 (zenith angle) or V3 (height angle) is one sighting, with the code as its note. The units are gon, grd,
 /// DEG, DMS and mil. Texts (TR) have the meaning of code blocks in GSI (gsi_reader.h); other lines of text,
 /// coordinates (KR) and lengths are listed in `unused`. The file does not state the face.

@@ -11,7 +11,7 @@ namespace alidade {
 /// The combined reading of several sightings of one pointing zero.
 struct ZeroMean {
   std::string horizontal, vertical;  ///< in a notation of `parseAngle`
-  bool isMean = false;               ///< a face 1 mean; else as in the first sighting
+  bool isMean = false;               ///< a face 1 mean; false: the first sighting as read
 };
 
 /// The mean of the sightings' face 1 equivalents. A single sighting in face 1, and angles that cannot be

@@ -69,7 +69,7 @@ class TiltEquations {
   /// The index that is larger in size.
   double index() const { return std::abs(m_values[2]) > std::abs(m_values[3]) ? m_values[2] : m_values[3]; }
   double range() const { return m_range; }
-  /// σ, due to the scatter within arcs, of the range of the tilts between arcs.
+  /// σ of the range of the tilts between arcs, from the scatter within arcs.
   double sigmaOfRange() const { return m_sigmaOfRange; }
   double sigma(int i) const {
     const double ofIndex = hasBothFaces() ? index() : 0;
@@ -100,8 +100,8 @@ class TiltEquations {
     }
   }
 
-  /// Solves for the tilt of each arc separately, with the common indices. Yields the scatter within arcs and
-  /// the range between them.
+  /// Solves for the tilt of each arc separately, with the indices of all arcs. Sets the scatter within arcs
+  /// and the range of the tilts.
   void compareArcs() {
     std::vector<Eigen::Vector2d> tilts;
     double squares = 0, freedom = -2, largest = 0;

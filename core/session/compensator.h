@@ -11,8 +11,8 @@ namespace alidade {
 
 // Prior knowledge of the instrument's errors from its compensator and correction switches.
 //
-// The vertical axis is tilted towards the observer by tx and to the left by tz, as in the forward model
-// (`VerticalAxisTiltX`, `VerticalAxisTiltZ`), small angles. The compensator is in the alidade, at the azimuth
+// The vertical axis is tilted by small angles, towards the observer by tx and to the left by tz, as in the
+// forward model (`VerticalAxisTiltX`, `VerticalAxisTiltZ`). The compensator is in the alidade, at the azimuth
 // a from the perpendicular of the arc plane, right positive. In face 2 it is rotated by half a turn. It reads
 //
 //   length = ±(−tx cos a − tz sin a) along the line of sight, > 0 in face 1 if the axis leans to the target
@@ -20,10 +20,10 @@ namespace alidade {
 //
 // with + in face 1 and − in face 2. Each reading has an index, whose sign is the same in both faces.
 //
-// This sign is a convention of the session file. The available documents do not say how GeoCOM
-// (TMC_GetAngle1) counts its cross and length inclination, so a wrong sign must be detectable. A tilt of the
-// wrong sign is treated as a stale known number (`KnownNumber::staleChance`). The sign is reported as wrong
-// if the readings fit the other sign.
+// The signs of length and cross are a convention of the session file. The available documents do not say how
+// GeoCOM (TMC_GetAngle1) counts its cross and length inclination: a wrong sign must be detectable. A tilt of
+// the wrong sign is treated as a stale known number (`KnownNumber::staleChance`). The sign is reported as
+// wrong if the readings fit the opposite sign.
 
 /// The tilt of the vertical axis, rad.
 struct AxisTilt {
@@ -45,7 +45,7 @@ struct CompensatorNotes {
   bool isInclinationUnknown = false;
   /// The largest change of the tilt between two positions, if it significantly exceeds its uncertainty.
   std::optional<Angle> moved = {};
-  /// The larger index, if it significantly exceeds the compensator's uncertainty; then no tilt is known.
+  /// The larger index, if it significantly exceeds the compensator's uncertainty. Then no tilt is known.
   std::optional<Angle> index = {};
 };
 
@@ -59,8 +59,8 @@ struct CompensatorKnowledge {
 /// measured.
 ///
 /// - Inclination is on in all rows: the instrument has corrected for its tilt, so tx and tz are 0 ± σ of the
-///   compensator. Unless standing axis is on in all rows, the instrument may have corrected the vertical
-///   circle only; the chance of being stale is then 0.1.
+///   compensator. If standing axis is not on in all rows, the chance of being stale is 0.1, as the instrument
+///   may have corrected the vertical circle only.
 /// - Inclination is off in all rows, and there are tilts: tx, tz and the indices are fitted to all rows. The
 ///   indices are free if both faces have tilts, else 0 ± σ of the compensator. The uncertainty includes this
 ///   σ, which all rows share, a free index, and half the range between positions. The chance of being stale

@@ -48,7 +48,7 @@ struct WholeRule {
 
 /// An angle in the range of a circle, in degrees; `low` is included.
 struct AngleRule {
-  double low, lowOfElevation;  ///< `lowOfElevation` if the vertical circle reads elevations
+  double low, lowOfElevation;  ///< lower limit; `lowOfElevation` applies to elevation circles
   double high;
   bool isHighIncluded = false;
   bool mayBeEmpty = false;

@@ -66,7 +66,7 @@ EntryToCome followedToCome(const Session& session, const FollowedSighting& next)
           .isAfter = planned.isAfter};
 }
 
-/// The next entry of a position that has no half-finished entries; absent if it is complete.
+/// The next entry of a position that has no half-finished entries; absent if the position is complete.
 std::optional<EntryToCome> leftOf(const Session& session, std::size_t position,
                                   const ProtocolProgress* progress) {
   if (lacksZero(session.positions[position])) return zeroToCome(position);

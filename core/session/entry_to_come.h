@@ -11,7 +11,7 @@ namespace alidade {
 
 /// The next entry to type: a field of the session, a pointing zero or a row.
 struct EntryToCome {
-  std::string field = {};  ///< "geometry.distance_mm" or "geometry.radius_mm", then the only valid member
+  std::string field = {};  ///< "geometry.distance_mm" or "geometry.radius_mm" alone; empty: a zero or a row
   std::size_t position = 0;
   std::string zero = {};  ///< "pointing_zero", "pointing_zero.face_2", …; empty: a row
   std::size_t row = 0;    ///< the first unread row; one past the last if all are read

@@ -7,7 +7,7 @@
 
 namespace alidade {
 
-/// Both circles converted to face 1; not wrapped.
+/// Both circles converted to face 1; the angles are not wrapped.
 struct FaceOneReading {
   Angle horizontal, vertical;
 };
@@ -17,8 +17,8 @@ struct FaceOneReading {
 /// through.
 FaceOneReading inFaceOne(Angle horizontal, Angle vertical, int face, VerticalCircle circle);
 
-/// Was this vertical circle reading taken with the telescope turned through? Beyond 180° on a zenith circle,
-/// between 90° and 270° on an elevation circle.
+/// Was this vertical circle reading taken with the telescope turned through? Face 2 is beyond 180° on a
+/// zenith circle, between 90° and 270° on an elevation circle.
 bool isFaceTwo(Angle vertical, VerticalCircle circle);
 
 /// "face 1", "face 2", in the language of the thread.

@@ -17,10 +17,10 @@ inline constexpr std::string_view fromInstrumentCheck = "instrument check after 
 /// session, every number is kept as its text.
 struct InstrumentRecord {
   std::string name = {}, serial = {};
-  std::string certificate = {}, traceability = {};  ///< of its calibration, of its circles
+  std::string certificate = {}, traceability = {};  ///< calibration certificate; traceability of the circles
   std::string date = {};                            ///< date of all findings; required
   std::string due = {};  ///< date of the next check, after `date`; empty: not stated
-  // Each of these texts is empty if the number is not stated.
+  // An empty text means that the number is not stated.
   std::string sigmaHorizontalArcsec = {}, sigmaVerticalArcsec = {}, sigmaZeroArcsec = {};
   LineOfSight lineOfSight = {};
   std::vector<KnownSize> known = {};

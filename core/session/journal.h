@@ -52,7 +52,7 @@ inline constexpr const char* deleted = "deleted";
 inline constexpr const char* inserted = "inserted";
 inline constexpr const char* moved = "moved";          ///< to another position
 inline constexpr const char* imported = "imported";    ///< `to`: file, lines and SHA-256 of the rows
-inline constexpr const char* undone = "undone";        ///< a change that had been saved
+inline constexpr const char* undone = "undone";        ///< reverses a change that had been saved
 inline constexpr const char* sealed = "sealed";        ///< `from`: revision, `to`: digest of the content
 inline constexpr const char* explained = "explained";  ///< `to`: why the entries numbered `from` were made
 }  // namespace journal_reasons

@@ -95,8 +95,8 @@ std::size_t faults(const JournalCheck& check) {
                                            check.seals, CheckedSeal::State::Changed, &CheckedSeal::state));
 }
 
-/// Reverts the entries with the order of rows in journals since version 1, or with the earlier order if that
-/// leaves fewer faults.
+/// Reverts the entries with the order of rows in journals since version 1, or with the order of version 0 if
+/// it leaves fewer faults.
 JournalCheck takenBack(const Session& session) {
   const std::string content = fileWithoutJournal(session);
   JournalCheck taken = takenBack(session, content, JournalReplay::RowOrder::LastFirst);

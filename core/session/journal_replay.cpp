@@ -114,7 +114,7 @@ Json rowOfText(std::string_view text) {
   return row;
 }
 
-/// Is a member with this value equivalent to a missing one?
+/// Is a member with this value equivalent to a missing member?
 bool saysNothing(const Json& value) {
   const bool isEmptyText = value.is_string() && value.get_ref<const std::string&>().empty();
   return isEmptyText || value == false || value.is_null();
@@ -171,8 +171,8 @@ void JournalReplay::takeBack(std::size_t index) {
   for (std::size_t i = m_taken; i <= index; ++i) takeBackOne(i);
 }
 
-/// The first entry of the edit that `last` ends. In journals of version 0, the rows of one deletion have
-/// rising indices, restored rows falling ones; they are reverted together. Any other entry is one edit.
+/// The first entry of the edit that `last` ends. In journals of version 0, one deletion of rows has an
+/// entry for each row with rising indices, a restoration with falling ones. Any other entry is one edit.
 std::size_t JournalReplay::firstOfEdit(std::size_t last) const {
   const auto isBefore = [&](const JournalEntry& one, const JournalEntry& next) {
     const auto a = pathOf(one.place), b = pathOf(next.place);

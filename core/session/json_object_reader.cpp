@@ -15,7 +15,7 @@ namespace {
 
 constexpr std::uint64_t newestVersion = 1;
 
-/// Is this a whole number? 1.0 is one, too: JSON has a single kind of number.
+/// Is this a whole number? 1.0 is a whole number, too: JSON has a single kind of number.
 bool isWhole(const nlohmann::ordered_json& value) {
   return value.is_number_integer() ||
          (value.is_number_float() && std::trunc(value.get<double>()) == value.get<double>());

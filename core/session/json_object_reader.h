@@ -31,7 +31,7 @@ class ObjectReader {
 
   ObjectReader(const Json& json, Place where, std::optional<Problem>& problem);
 
-  /// The text of a value of this kind; empty if the value is missing or, with a problem, of another kind.
+  /// The text of a value of this kind; empty if the value is missing. A value of another kind is a problem.
   std::string value(std::string_view key, ValueKind kind) const;
   std::string text(const char* key) const { return value(key, ValueKind::Text); }
   std::string number(const char* key) const { return value(key, ValueKind::Number); }

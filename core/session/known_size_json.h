@@ -15,7 +15,7 @@ namespace alidade {
 std::vector<KnownSize> readKnown(const ObjectReader& reader);
 nlohmann::ordered_json knownJson(const std::vector<KnownSize>& known);
 
-// The offset of the line of sight also has the same form in both files, as members of the object itself.
+// The offset of the line of sight has one form in sessions and records, too: members of the object itself.
 
 LineOfSight readLineOfSight(const ObjectReader& reader);
 void writeLineOfSight(ObjectWriter& writer, const LineOfSight& lineOfSight);

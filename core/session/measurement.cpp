@@ -29,9 +29,9 @@ struct KnownOffset {
   double millimetres, sigma, correlation;
 };
 
-/// The offset of the line of sight, in mm, if none is stated. Manufacturing keeps the line of sight within
-/// 0.1 mm of the axis (1σ). An instrument check is made at other distances, where such an offset acts
-/// differently. Any other source is assumed to state the collimation at the distance of the session.
+/// The offset of the line of sight, in mm, if none is stated. It is 0 ± 0.1 (1σ, from manufacturing) for a
+/// collimation from an instrument check, which is made at other distances. Any other source is assumed to
+/// state the collimation at the distance of the session; the offset is then 0.
 KnownOffset defaultOffset(const KnownNumber& collimation) {
   constexpr double plausible = 0.1;
   const bool isChecked = collimation.from.find(fromInstrumentCheck) != std::string::npos;
@@ -270,7 +270,7 @@ class Examiner : private ProblemReporter {
     setMoments(m_measurement);
   }
 
-  /// Examines the zeros; different zeros contradict a common one.
+  /// Examines the zeros. Different zeros are a problem if one zero for all positions is stated.
   ExaminedZeros zerosOf() {
     ExaminedZeros zeros = examineZeros(m_session, m_circle, m_measurement.pointingZeros,
                                        m_measurement.sigmaZeroHorizontal, m_measurement.sigmaZeroVertical);

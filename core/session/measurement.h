@@ -47,8 +47,8 @@ enum class VerticalAngleRelation {
 /// The treatment of the radius in the fit.
 enum class RadiusModel {
   Free,    ///< each position has its own
-  Common,  ///< one for both positions, as of one rigid guideway
-  Known,   ///< one for both, with a prior: R0 with its σ
+  Common,  ///< one radius for all positions, as of one rigid guideway
+  Known,   ///< one radius for all positions, with R0 and its σ as prior
 };
 
 /// The quantity that a tolerance limits: the distance of the arc's centre from the axis, or a component of
@@ -81,7 +81,7 @@ struct Sighting {
   Angle a;  ///< horizontal, right positive
   Angle e;  ///< vertical, up positive
   std::optional<Angle> slider;
-  std::optional<Angle> tiltCross = {}, tiltLength = {};  ///< tilts of the vertical axis (compensator.h)
+  std::optional<Angle> tiltCross = {}, tiltLength = {};  ///< compensator readings (compensator.h)
   std::optional<Corrections> corrections = {};           ///< switches that were on, if known
   std::optional<double> minutes = {};                    ///< time on any clock, if stated
   bool isZero = false;  ///< a sighting of a pointing zero that is an observation
@@ -122,8 +122,8 @@ struct ArcMeasurement {
   ZeroSightings zero = {};
   std::vector<SightedZero> zeroSightings = {};  ///< sightings that count; of a common zero, the first arc
                                                 ///< has those before its rows, the last those after
-  /// e0: elevation of the pointing zero above the horizon, up positive; 0 if the vertical circle cannot count
-  /// from the plumb line.
+  /// e0: elevation of the pointing zero above the horizon, up positive. It is 0 if it would exceed 45°: the
+  /// vertical circle then does not count from the plumb line.
   Angle zeroElevation = {};
 };
 
@@ -151,7 +151,7 @@ struct Measurement {
   double sigmaDistance = 0;  ///< ≥ 0
   double nominalRadius = 0;  ///< R0 > 0
   double sigmaRadius = 0;    ///< σ of R0, ≥ 0; used for a known radius, else for the closure R − R0
-  /// Expansion of L and R0 from 20 °C to the temperature of the session, in mm; already included in both.
+  /// Expansion of L and R0 from 20 °C to the temperature of the session, in mm; L and R0 above include it.
   double distanceExpansion = 0, radiusExpansion = 0;
   RadiusModel radiusModel = RadiusModel::Free;
   Angle sigmaHorizontal, sigmaVertical;          ///< σ of a circle reading, > 0
@@ -167,7 +167,7 @@ struct Measurement {
   bool isPlaneStated = true;  ///< else the plane may be perpendicular to the zero
   ZeroIs zeroIs = ZeroIs::Unstated;
   Angle sigmaSlider;                                  ///< > 0
-  Angle sigmaCompensator = Angle::fromArcseconds(1);  ///< σ of its setting or reading, > 0
+  Angle sigmaCompensator = Angle::fromArcseconds(1);  ///< σ of the compensator's setting or reading, > 0
   VerticalCircle verticalCircle = VerticalCircle::Zenith;
   CircleUnit angleUnit = CircleUnit::Dms;  ///< unit of displayed angles
   VerticalAngleRelation relation = VerticalAngleRelation::Exact;
@@ -203,8 +203,8 @@ bool hasTimes(const Measurement& measurement);
 /// row of its position, or just after the last; a common zero before or after all rows.
 void setMoments(Measurement& measurement);
 
-/// For each arc, returns the index of the first arc at its axis, which is its own unless its position is a
-/// repeat. The arcs of one axis share centre and radius.
+/// For each arc, returns the index of the first arc at the same axis angle: an arc's own index if it is not a
+/// repeat. The arcs of one axis angle share centre and radius.
 std::vector<std::size_t> firstAtTheirAxes(const Measurement& measurement);
 
 /// Is any axis measured more than once?
@@ -216,8 +216,8 @@ bool hasAlikeZeros(const Measurement& measurement);
 /// Are there arcs at 0° and at 180°, so that there is an intersection?
 bool hasBothAxes(const Measurement& measurement);
 
-/// The result of examining a session: the usable part, and a sentence for everything unusable, in the order
-/// of the file.
+/// The result of examining a session: the usable part, and a problem for each unusable entry, in the order of
+/// the file.
 struct Examined {
   std::optional<Measurement> measurement;  ///< absent if L, R0, a σ or the model itself is unusable
   std::vector<Problem> problems;           ///< empty: the whole session is sound
@@ -226,14 +226,14 @@ struct Examined {
 /// Converts the texts of a session to a measurement. Rows with an unusable entry, and positions with an
 /// unusable pointing zero, are left out and reported, as are rows without any entry. Excluded rows are not
 /// examined. Of two rows with the same point, round and face in one position the second is reported and left
-/// out. If the coverage is unusable there is no tolerance either: a verdict needs a chosen level.
+/// out. If the coverage is unusable, the tolerance is not used: a verdict needs a chosen level.
 Examined examine(const Session& session);
 
 /// Returns the reason why `text` is unusable as the value of `field`; absent if it is usable. Applies the
-/// rules of `examine`, except checks that need other entries: for marking an entry in place. `field` is a
-/// name of the session file without indices: `geometry.distance_mm`, `pointing_zero.vertical`,
-/// `readings.horizontal`, `readings.face`, `acceptance.coverage`, `axis_deg`, `measured_on`,
-/// `device.known.sigma`, …
+/// rules of `examine` for single entries, with the session's kind of vertical circle, to mark the entry in
+/// place. `field` is a name of the session file without indices: `geometry.distance_mm`,
+/// `pointing_zero.vertical`, `readings.horizontal`, `readings.face`, `acceptance.coverage`, `axis_deg`,
+/// `measured_on`, `device.known.sigma`, …
 std::optional<std::string> entryProblem(const Session& session, const std::string& field,
                                         const std::string& text);
 

@@ -17,7 +17,7 @@ struct Session;
 struct OwnParameter {
   std::string name = {};       ///< name of the amplitude in the formula
   std::string plausible = {};  ///< 1σ of the plausible size, > 0
-  std::string unit = {};       ///< that of its carrier, "mm" or "arcsec"; may be empty
+  std::string unit = {};       ///< unit of its line in the formula, "mm" or "arcsec"; may be empty
   JsonOrigin origin = {};
 
   bool operator==(const OwnParameter&) const = default;

@@ -34,7 +34,7 @@ struct OwnEntry {
 /// entries never move, so pointers to their `Effect` stay valid. Measurements share the object.
 class OwnEffects {
  public:
-  /// `entries` have their terms; their `effect` is filled in here.
+  /// `entries` have their terms; the constructor fills in each `effect`.
   explicit OwnEffects(std::vector<OwnEntry> entries);
   OwnEffects(const OwnEffects&) = delete;
   OwnEffects& operator=(const OwnEffects&) = delete;
@@ -51,8 +51,8 @@ class OwnEffects {
 /// The first reason why an effect cannot be used; absent if it is sound. `where` names the key.
 std::optional<Problem> ownEffectProblem(const OwnEffect& effect);
 
-/// The sound ones of the first 20 effects, null if there is none. Adds a problem for each other one, and one
-/// problem if there are more than 20.
+/// The sound effects among the first 20; null if there are none. Adds a problem for each unsound effect, and
+/// one problem if there are more than 20.
 std::shared_ptr<const OwnEffects> examineOwnEffects(const std::vector<OwnEffect>& effects,
                                                     std::vector<Problem>& problems);
 

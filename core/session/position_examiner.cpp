@@ -19,7 +19,7 @@ namespace alidade {
 
 namespace {
 
-/// Sightings on the arc are closer to the pointing zero than this: beyond it the tangents grow excessively.
+/// Sightings on the arc are within this angle of the pointing zero. Beyond it, the tangents are excessive.
 constexpr double widestDegrees = 80;
 
 /// The round, point and face of a row, unique within a position.

@@ -17,7 +17,7 @@ struct ExaminedPosition {
   std::vector<Problem> problems;    ///< problems in the order of the file, except those of the axis
 };
 
-/// `index`: among the session's positions. `firstSequence`: sequence of its first row (`firstSequences`).
+/// `index`: of the position in the session. `firstSequence`: of the position's first row (`firstSequences`).
 /// `circle`: absent if unknown. Without `circle` or `zero`, rows are examined but there are no sightings.
 ExaminedPosition examinePosition(const Position& position, std::size_t index, std::size_t firstSequence,
                                  const ExaminedZero& zero, const std::optional<VerticalCircle>& circle);

@@ -49,7 +49,7 @@ struct FollowedSighting {
   PlannedSighting planned;
   SightingState state = SightingState::Left;
   std::optional<std::size_t> position = {};  ///< index in the session; absent if the session lacks it
-  /// Index of its row, read or not; absent without a row, and for a zero.
+  /// Index of the sighting's row, even of an unread one; absent if there is none, and for a zero.
   std::optional<std::size_t> row = {};
   bool isOutOfTurn = false;  ///< taken after a sighting that follows it in the protocol
   bool isRepeated = false;   ///< read in several rows
@@ -70,18 +70,18 @@ struct ProtocolProgress {
   bool isComplete() const { return left() == 0; }
 };
 
-/// The next sighting is that of a half-filled row, then the first zero of a position with readings but no
-/// zero. Then follow, in the current position, the first one left after the last taken and the skipped ones;
-/// then the first one left of all. The current position is the last with any entry, until it is complete. In
-/// a protocol by worth, `chosen` (an index into its sightings) replaces that order if no row is half filled
-/// and no zero is missing. No sighting of a protocol by worth is missed or out of turn.
+/// The next sighting is the first that exists of these: a half-filled row; the first zero of a position with
+/// readings but no zero; `chosen`, an index into the sightings of a protocol by worth; in the current
+/// position, the first reading left after the last one taken, then a skipped reading, then a zero; the first
+/// sighting left in the protocol. The current position is the last with any entry. No sighting of a protocol
+/// by worth is missed or out of turn.
 ProtocolProgress progressOf(const Session& session, const SightingProtocol& protocol,
                             std::optional<std::size_t> chosen = {});
 
 /// The progress in the session's own protocol; absent without one, or with an invalid one.
 std::optional<ProtocolProgress> progressIn(const Session& session, std::optional<std::size_t> chosen = {});
 
-/// Index of the next sighting of a place in one position of the session; absent if none remains there.
+/// Index of the next sighting of a place in one position of the session; absent if none remains.
 std::optional<std::size_t> nextPlaceIn(const ProtocolProgress& progress, std::size_t position);
 
 /// The row for a sighting of a place, with only point, round and face.

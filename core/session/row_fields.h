@@ -111,7 +111,7 @@ constexpr ValueKind kindOfCell(std::string_view key) {
   return field ? kindOf(*field) : ValueKind::Text;
 }
 
-/// The meaning of an empty text of the field, as it would be typed: "1" for a round. Empty: none.
+/// The text that an empty text of the field stands for: "1" for a round. Empty if there is none.
 std::string usualText(const RowField& field);
 
 /// Returns the reason why `text` is invalid in the field of a row with this kind of vertical circle.
@@ -129,7 +129,7 @@ inline constexpr std::string Reading::*arrivalTexts[] = {&Reading::takenAt, &Rea
 /// The same texts of a pointing zero, in the same order.
 inline constexpr std::string ZeroSighting::*zeroArrivalTexts[] = {
     &ZeroSighting::takenAt, &ZeroSighting::returnCode, &ZeroSighting::instrumentSerial};
-/// Does any row or pointing zero of the session have one of these texts?
+/// Does any row of the session have one of the `arrivalTexts`, or a pointing zero one of `zeroArrivalTexts`?
 bool hasArrivalTexts(const Session& session);
 
 /// The first sighting of a pointing zero in the form of the further ones.

@@ -95,15 +95,15 @@ struct KnownSize {
 
 struct Device {
   std::string name, serial;
-  std::string condition = {}, receivedOn = {};  ///< when it came to the laboratory; the date as YYYY-MM-DD
+  std::string condition = {}, receivedOn = {};  ///< condition on receipt; date of receipt, YYYY-MM-DD
   std::vector<KnownSize> known = {};
   JsonOrigin origin;
 
   bool operator==(const Device&) const = default;
 };
 
-/// The instrument record from which known values were taken. The session holds copies of all of them, so
-/// moving or changing the record does not affect results.
+/// The instrument record that is the source of known values. The session has copies of the values: moving
+/// or changing the record does not affect results.
 struct NamedRecord {
   std::string file = {};  ///< its file name, without folder
   std::string date = {};  ///< date of the record
@@ -114,7 +114,7 @@ struct NamedRecord {
 
 /// The line of sight passes the vertical axis at a distance e. For e > 0 the horizontal circle reads e/(D
 /// cos(elevation)) too much in face 1 and as much too little in face 2; D is the distance along the line of
-/// sight. At one distance this is a collimation of e/D, added to the known collimation.
+/// sight. At one distance the effect is a collimation of e/D, which adds to the known collimation.
 struct LineOfSight {
   std::string offsetMm = {};     ///< e; empty: unknown
   std::string sigmaMm = {};      ///< standard uncertainty of e; empty: 0
@@ -127,10 +127,10 @@ struct Instrument {
   std::string name, serial;
   std::string certificate;   ///< calibration certificate
   std::string traceability;  ///< reference standards and laboratory to which the circles are traceable
-  std::string angleUnit;  ///< of angles typed without one, and of displayed angles: "dms", "degrees", "gon"
+  std::string angleUnit;  ///< unit of plain typed numbers and of displayed angles: "dms", "degrees" or "gon"
   std::string sigmaHorizontalArcsec;   ///< empty: 2
   std::string sigmaVerticalArcsec;     ///< empty: 2
-  std::string sigmaZeroArcsec;         ///< empty: as the circles'
+  std::string sigmaZeroArcsec;         ///< empty: the σ of the circles
   std::string sigmaSliderArcsec;       ///< empty: 5
   std::string sigmaCompensatorArcsec;  ///< setting accuracy; empty: 1
   LineOfSight lineOfSight = {};
@@ -156,7 +156,7 @@ struct Geometry {
   std::string sigmaRadiusMm;    ///< standard uncertainty of R0; empty: 0, and a known radius is exact
   std::string verticalCircle;   ///< "zenith" or "elevation"; empty: zenith
   std::string pointingZeros;    ///< "each": sighted in each position; "one": once for all; empty: each
-  std::string plane = {};       ///< of the arc: "vertical", or "square" to the pointing zero; empty: vertical
+  std::string plane = {};       ///< plane of the arc: "vertical" or "square" to the zero; empty: vertical
   /// What the pointing zeros sight: "mark", one fixed direction; "normal", the guideway's normal, set again
   /// in each position; "unknown"; empty: a mark if the zeros agree.
   std::string zeroIs = {};
@@ -170,7 +170,7 @@ struct Geometry {
 
 struct Acceptance {
   std::string toleranceMm;  ///< empty: no verdict
-  std::string measurand;    ///< limited by the tolerance: "intersection" or "distance"; empty: intersection
+  std::string measurand;    ///< toleranced quantity: "intersection" or "distance"; empty: intersection
   std::string coverage;     ///< in (0, 1); empty: 0.95
   std::string referenceIntersectionMm;  ///< the set value of the device, if known; never enters a fit
   std::string sigmaReferenceMm;         ///< standard uncertainty of the reference; empty: not stated
@@ -208,7 +208,7 @@ struct Session {
   Geometry geometry;
   Acceptance acceptance;
   Model model;
-  std::vector<OwnEffect> ownEffects;  ///< the user's, candidates like the effects of the catalogue
+  std::vector<OwnEffect> ownEffects;  ///< effects of the user; candidates like those of the catalogue
   std::vector<Position> positions;
   /// The protocol of sightings in use, as its JSON; empty: none. See `protocolOf`.
   std::string protocol;

@@ -16,7 +16,7 @@ constexpr double longestMm = 1e6;
 constexpr double leastSigmaArcsec = 0.001, largestSigmaArcsec = 3600;
 
 // A choice within 0.5″ to 1.5″, the assumed range of setting accuracies of compensators; not from a data
-// sheet. A session should state that of its instrument.
+// sheet. A session should state the setting accuracy of its instrument.
 constexpr double usualSigmaCompensator = 1;
 
 // Far above a true offset of the line of sight, which is some tenths of a millimetre.

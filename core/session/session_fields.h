@@ -15,7 +15,7 @@ namespace alidade {
 // forms of the window, undo, the journal and the comparison of sessions. A new text needs a member in
 // session.h, a line in session_fields.cpp, and one in the schema of the session file.
 
-/// A text with a fixed set of values, or of a fixed form. Returns the reason why a text is invalid.
+/// The rule for a text with a fixed set of values or a fixed form. Returns the reason why a text is invalid.
 using WordRule = std::optional<Problem> (*)(const std::string& text);
 
 /// One of the words of a field, with its label in the forms. An empty word means that nothing is stated.
@@ -28,7 +28,7 @@ struct SessionField {
   std::string_view key;  ///< in the session file: "geometry.distance_mm"
   const char* noun;      ///< name in undo texts, in the journal and in lists of missing entries
   std::variant<FreeText, NumberRule, WordRule> rule = FreeText();
-  const char* remedy = nullptr;     ///< if the field is missing in a file, for `Phrase::of`; null: optional
+  const char* remedy = nullptr;     ///< what to do if a file lacks the key, for `Phrase::of`; null: optional
   const char* caption = nullptr;    ///< label in a form, with a mnemonic
   const char* unit = nullptr;       ///< shown after the entry
   const char* whenEmpty = nullptr;  ///< what an empty entry means
@@ -37,7 +37,7 @@ struct SessionField {
   bool fillsRow = false;                     ///< long texts have a whole row of a form
   bool isOfMeasurement = true;      ///< false: says who, where and for whom, and never enters a result
   bool isOfOneMeasurement = false;  ///< whether the next session begins without it (`nextSession`)
-  bool isWantedOnReport = false;    ///< ISO/IEC 17025:2017 wants it: 7.8.2, 7.8.4; the decision rule: 7.8.6
+  bool isWantedOnReport = false;    ///< wanted by ISO/IEC 17025:2017, 7.8.2, 7.8.4; the decision rule: 7.8.6
 
   const std::string& (*get)(const Session& session) = nullptr;
   std::string& (*at)(Session& session) = nullptr;

@@ -32,8 +32,8 @@ class SessionRows {
   bool isLikeLast(const nlohmann::ordered_json& row) const;
 };
 
-/// The session in a parsed file; `readSession` without the parsing. `rows`: those of its positions, whose
-/// lists in `document` are empty.
+/// The session in a parsed file, as `readSession` returns it. `rows`: the rows of all positions, whose lists
+/// in `document` are empty.
 Result<Session> sessionFromJson(const nlohmann::ordered_json& document, SessionRows rows);
 
 }  // namespace alidade

@@ -11,17 +11,17 @@ namespace alidade {
 // The order of sightings: there and back, in one face and the other, or as in an earlier position. A stretch
 // is a run of rows of one round and face.
 
-/// The next row of a position, with only point, round and face. It follows the first that applies: the
-/// session's protocol (`protocol_progress.h`), until complete; another position that begins with the same
-/// rows; pairs of faces at each place, if the last places have them; the stretch before, either way; the
-/// direction of the last two points (point 1 of an empty position). `chosen` as in `progressOf`.
+/// The next row of a position, with only point, round and face. It continues the first order that exists: the
+/// session's protocol (`protocol_progress.h`), until it is complete; another position that begins with the
+/// same rows; pairs of faces at each place; the stretch before, forwards or backwards; the direction of the
+/// last two points. The first row of an empty position has point 1. `chosen` as in `progressOf`.
 Reading followingReading(const Session& session, std::size_t position,
                          std::optional<std::size_t> chosen = {});
 
 /// The ways to prepare further rows before they are read.
 enum class FurtherRows {
   WayBack,       ///< the places of the last stretch in reverse order, as the next round
-  WayBackInTwo,  ///< the same in the other face
+  WayBackInTwo,  ///< as `WayBack`, in the other face
   AnotherRound,  ///< the places of the last stretch in the same order, as the next round
 };
 

@@ -16,8 +16,8 @@ namespace alidade {
 
 // A measurement protocol: the sightings of a session, their number and order. It is a separate file,
 // `*.alidade-protocol`, or the `protocol` of a session that follows it. A session has one orientation of the
-// horizontal circle per position. So turning the circle between two rounds begins a repeat of the position,
-// with its own pointing zero.
+// horizontal circle per position: turning the circle between two rounds begins a repeat of the position, with
+// its own pointing zero.
 
 /// A place of the slider. The arc angle refers to axis position 0°, counter-clockwise from the right as the
 /// observer sees it; if it is empty, the slider coordinate replaces it.
@@ -51,7 +51,7 @@ struct ProtocolZeros {
 };
 
 struct ProtocolPosition {
-  int axisDeg = 0;  ///< 0 or 180; a repeated value is measured again
+  int axisDeg = 0;  ///< 0 or 180; a further position with the same value is a repeat
   /// Rotation of the horizontal circle relative to its first orientation, as typed; empty: none.
   std::string circleTurn = {};
   ProtocolZeros zeros = {};
@@ -85,7 +85,7 @@ struct SightingProtocol {
 /// Limit of sightings in a protocol: more than anyone takes by hand.
 inline constexpr std::size_t mostSightings = 10'000;
 
-/// The protocol by worth, within `mostSightings` with every position twice, so that the axis may turn back.
+/// The protocol by worth. Within `mostSightings`, it has every position twice: the axis can turn back.
 SightingProtocol openOrder(SightingProtocol protocol);
 /// The protocol in its order again, without what `openOrder` added.
 SightingProtocol listedOrder(SightingProtocol protocol);

@@ -29,7 +29,7 @@ void takeWhereEmpty(std::string& own, const std::string& text) {
   if (own.empty()) own = text;
 }
 
-/// The size as in the record's file, before it was taken.
+/// The size as in the record's file, without the citation of the record.
 KnownSize withoutCitation(KnownSize size, const NamedRecord& record) {
   if (!isTakenFrom(record, size)) return size;
   size.from.erase(0, citationOf(record).size());

@@ -118,7 +118,7 @@ FaceMean meanOfFace(const std::vector<FromFirst>& sightings, int face) {
   return meanOf(sightings, [face](const FromFirst& one) { return one.face == face; });
 }
 
-/// The mean change of the zero in faces sighted before and after the readings; absent without such a face.
+/// The mean change of the zero in the faces sighted both before and after the readings; absent if none was.
 std::optional<ZeroSightings::Move> moveOf(const std::vector<FromFirst>& sightings) {
   ZeroSightings::Move move{.horizontal = {}, .vertical = {}, .factor = 0};
   int faces = 0;
@@ -152,8 +152,8 @@ std::vector<SightedZero> apartFrom(const std::vector<FromFirst>& sightings, Angl
   return apart;
 }
 
-/// Returns the zero: the mean of the means of each face that counts. `up`: 1 if the vertical circle increases
-/// upwards, otherwise −1.
+/// Returns the zero: the mean over the faces that count, each with the mean of its sightings. `up`: 1 if the
+/// vertical circle increases upwards, otherwise −1.
 ZeroDirection directionOf(const PositionZero& zero, bool withFaceTwo, double up) {
   std::vector<FromFirst> counting = zero.sightings;
   std::erase_if(counting, [&](const FromFirst& one) { return one.face == 2 && !withFaceTwo; });
@@ -198,7 +198,7 @@ void addScatter(Scatter& scatter, const std::vector<FromFirst>& sightings, Angle
   }
 }
 
-/// Gives each position the sightings of all; false if two sightings contradict each other.
+/// Gives each position the sightings of all positions; false if two sightings contradict each other.
 bool poolSightings(std::vector<PositionZero>& zeros) {
   std::map<std::pair<int, bool>, FromFirst> pooled;
   const FaceOneReading* first = nullptr;

@@ -75,8 +75,8 @@ int handPassphrase(char* buffer, int size, int, void* given) {
   return static_cast<int>(passphrase.copy(buffer, passphrase.size()));
 }
 
-/// May others access the file of the key? Such a key does not prove an identity. As with ssh, only a user's
-/// own file is checked, since the user can change its permissions.
+/// May others access the file of the key? A key that others can read does not prove an identity. As with ssh,
+/// only a file that the user owns is checked: its owner can change the permissions.
 bool isOpenToOthers(const std::string& path) {
   struct stat status = {};
   return stat(path.c_str(), &status) == 0 && S_ISREG(status.st_mode) && status.st_uid == geteuid() &&

@@ -9,7 +9,7 @@
 
 namespace alidade {
 
-/// Paths of a key and its certificate, PEM each, and the source of the passphrase.
+/// Paths of a key and its certificate, both PEM files, and the source of the passphrase.
 struct SigningFiles {
   std::string key;          ///< path of a private key
   std::string certificate;  ///< path: the signer's certificate first, followed by its chain
@@ -17,7 +17,7 @@ struct SigningFiles {
       passphraseFile;  ///< its first line is the passphrase; empty: the environment's `passphraseVariable`
 };
 
-/// Passphrases are not accepted on the command line, where every user of the machine could read them.
+/// The environment variable with the passphrase. No option takes it, as all users can read command lines.
 inline constexpr const char* passphraseVariable = "ALIDADE_SIGN_PASSPHRASE";
 
 /// Makes detached signatures after the Cryptographic Message Syntax (RFC 5652), DER, with OpenSSL.
