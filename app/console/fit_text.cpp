@@ -6,7 +6,6 @@
 
 #include "app/console/text_layout.h"
 #include "core/base/number_text.h"
-#include "core/base/quantity_text.h"
 #include "core/statement/arcs.h"
 #include "core/statement/budget.h"
 #include "core/statement/headline.h"

@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "core/answers/guidance_answer.h"
-#include "core/base/circle_unit.h"
+#include "core/base/angle_text.h"
 #include "core/base/finding.h"
 #include "core/diagnosis/plan_review.h"
 #include "core/diagnosis/result/sighting_plan.h"

@@ -7,7 +7,6 @@
 #include "core/answers/json_text.h"
 #include "core/base/list_text.h"
 #include "core/base/number_text.h"
-#include "core/base/quantity_text.h"
 #include "core/effects/catalogue.h"
 #include "core/statement/next_measures.h"
 #include "core/wording/effect_name.h"

@@ -7,7 +7,6 @@
 #include "app/console/text_layout.h"
 #include "core/base/list_text.h"
 #include "core/base/number_text.h"
-#include "core/base/quantity_text.h"
 #include "core/effects/catalogue.h"
 #include "core/session/own_effects.h"
 #include "core/wording/effect_name.h"

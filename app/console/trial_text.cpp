@@ -6,7 +6,6 @@
 #include "app/console/text_layout.h"
 #include "core/answers/json_text.h"
 #include "core/base/number_text.h"
-#include "core/base/quantity_text.h"
 #include "core/wording/effect_name.h"
 
 namespace alidade::console {

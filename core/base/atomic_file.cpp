@@ -8,10 +8,8 @@
 #include <list>
 #include <utility>
 
-#include "core/base/file_attributes.h"
 #include "core/base/file_target.h"
 #include "core/base/phrase.h"
-#include "core/base/stale_files.h"
 
 namespace alidade {
 

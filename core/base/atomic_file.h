@@ -1,14 +1,30 @@
 #pragma once
 
+#include <fcntl.h>
+#include <sys/types.h>
+#include <unistd.h>
+
+#include <cstdio>
+#include <functional>
 #include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
 
-#include "core/base/file_calls.h"
 #include "core/base/problem.h"
 
 namespace alidade {
+
+/// The system calls for writing a file. Each returns the system's result, including errno; a test can make
+/// one fail.
+struct FileCalls {
+  std::function<int(const char* path, int flags, mode_t mode)> open =
+      [](const char* path, int flags, mode_t mode) { return ::open(path, flags, mode); };
+  std::function<ssize_t(int file, const void* bytes, std::size_t count)> write = ::write;
+  std::function<int(int file)> sync = ::fsync;
+  std::function<int(int file)> close = ::close;
+  std::function<int(const char* from, const char* to)> rename = std::rename;
+};
 
 /// The complete content of a file to be written.
 struct FileContent {
@@ -37,5 +53,17 @@ struct FileContent {
 [[nodiscard]] std::optional<Problem> writeFiles(const std::vector<FileContent>& files,
                                                 const std::vector<std::string>& inputs,
                                                 const FileCalls& calls = {});
+
+/// Copies the access list and the other extended attributes of the file `from` to the open file `to`, if the
+/// system allows it. An access list that `to` inherited from its folder is removed. False if `to` lacks the
+/// access list of `from`: the group bits of the mode, the list's mask, must then not be copied.
+bool copyFileAttributes(const std::string& from, int to);
+
+/// The ending of our temporary files: `.alidade-4711-1.tmp`, where 4711 is the number of the process.
+inline constexpr const char* temporarySuffix = ".tmp";
+
+/// Removes from `folder` the temporary files that killed processes of our programs left behind: the process
+/// has ended, and the file is unchanged for an hour. Files that cannot be removed stay.
+void clearStaleFiles(const std::string& folder);
 
 }  // namespace alidade

@@ -1,4 +1,4 @@
-#include "core/base/file_attributes.h"
+#include "core/base/atomic_file.h"
 
 #include <sys/xattr.h>
 

@@ -2,7 +2,7 @@
 
 #include <string>
 
-#include "core/base/place.h"
+#include "core/base/problem.h"
 
 namespace alidade {
 

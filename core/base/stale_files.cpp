@@ -1,4 +1,4 @@
-#include "core/base/stale_files.h"
+#include "core/base/atomic_file.h"
 
 #include <signal.h>
 #include <sys/stat.h>

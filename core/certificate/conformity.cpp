@@ -3,8 +3,8 @@
 #include <cmath>
 #include <optional>
 
+#include "core/base/number_text.h"
 #include "core/base/phrase.h"
-#include "core/base/quantity_text.h"
 #include "core/certificate/quantity.h"
 #include "core/diagnosis/decision.h"
 #include "core/statement/headline.h"

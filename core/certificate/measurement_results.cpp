@@ -3,8 +3,8 @@
 #include <cmath>
 #include <string_view>
 
+#include "core/base/number_text.h"
 #include "core/base/phrase.h"
-#include "core/base/quantity_text.h"
 #include "core/certificate/quantity.h"
 #include "core/statement/result_figures.h"
 #include "core/wording/diagnosis_sentence.h"

@@ -5,7 +5,6 @@
 
 #include "core/base/number_text.h"
 #include "core/base/phrase.h"
-#include "core/base/quantity_text.h"
 
 namespace alidade {
 

@@ -3,7 +3,7 @@
 #include <string>
 
 #include "core/base/angle.h"
-#include "core/base/circle_unit.h"
+#include "core/base/angle_text.h"
 #include "core/session/measurement.h"
 
 namespace alidade {

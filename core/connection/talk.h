@@ -5,7 +5,7 @@
 #include <string_view>
 #include <vector>
 
-#include "core/base/circle_unit.h"
+#include "core/base/angle_text.h"
 #include "core/connection/instrument_reading.h"
 #include "core/connection/line_assembler.h"
 #include "core/session/measurement.h"

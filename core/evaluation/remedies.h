@@ -4,7 +4,7 @@
 #include <optional>
 #include <string>
 
-#include "core/base/place.h"
+#include "core/base/problem.h"
 #include "core/evaluation/gap.h"
 
 namespace alidade {

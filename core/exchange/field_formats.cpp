@@ -6,7 +6,6 @@
 #include <string>
 
 #include "core/base/typed_text.h"
-#include "core/exchange/content_lines.h"
 #include "core/exchange/words.h"
 
 namespace alidade {

@@ -4,7 +4,6 @@
 #include <iterator>
 
 #include "core/base/phrase.h"
-#include "core/exchange/content_lines.h"
 #include "core/exchange/field_formats.h"
 #include "core/exchange/foreign_files.h"
 #include "core/exchange/gsi_reader.h"
@@ -12,7 +11,7 @@
 #include "core/exchange/jobxml_reader.h"
 #include "core/exchange/landxml_reader.h"
 #include "core/exchange/m5_reader.h"
-#include "core/exchange/recognise_table.h"
+#include "core/exchange/recognise.h"
 #include "core/exchange/sdr_reader.h"
 #include "core/exchange/text_lines.h"
 #include "core/exchange/words.h"

@@ -1,4 +1,4 @@
-#include "core/exchange/folded_text.h"
+#include "core/exchange/words.h"
 
 #include <algorithm>
 #include <iterator>

@@ -4,7 +4,6 @@
 #include <initializer_list>
 #include <string>
 
-#include "core/exchange/content_lines.h"
 #include "core/exchange/words.h"
 
 namespace alidade {

@@ -6,7 +6,7 @@
 #include <sstream>
 
 #include "core/base/utf8.h"
-#include "core/exchange/folded_text.h"
+#include "core/exchange/words.h"
 
 namespace alidade {
 

@@ -1,6 +1,6 @@
-#include "core/exchange/import_journal.h"
+#include "core/exchange/import.h"
 
-#include "core/base/place.h"
+#include "core/base/problem.h"
 #include "core/base/visible_text.h"
 
 namespace alidade {

@@ -3,8 +3,7 @@
 #include <algorithm>
 
 #include "core/base/phrase.h"
-#include "core/exchange/content_lines.h"
-#include "core/exchange/recognise_table.h"
+#include "core/exchange/words.h"
 
 namespace alidade {
 

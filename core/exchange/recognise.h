@@ -40,4 +40,7 @@ Result<Recognised> recognise(std::string_view text);
 /// Are both circles among the columns?
 bool hasCircles(const TableLayout& layout);
 
+/// Recognises a table by its beginning. For `recognise`.
+Recognised recogniseTable(std::string_view beginning);
+
 }  // namespace alidade

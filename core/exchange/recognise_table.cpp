@@ -1,4 +1,4 @@
-#include "core/exchange/recognise_table.h"
+#include "core/exchange/recognise.h"
 
 #include <algorithm>
 #include <cmath>

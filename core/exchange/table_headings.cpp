@@ -6,7 +6,6 @@
 
 #include "core/base/angle_text.h"
 #include "core/base/number_text.h"
-#include "core/exchange/folded_text.h"
 #include "core/exchange/heading_words.h"
 #include "core/exchange/unread_rows.h"
 #include "core/exchange/words.h"

@@ -6,7 +6,7 @@
 
 #include "core/base/phrase.h"
 #include "core/base/typed_text.h"
-#include "core/exchange/folded_text.h"
+#include "core/exchange/words.h"
 
 namespace alidade {
 

@@ -7,7 +7,6 @@
 
 #include "core/base/phrase.h"
 #include "core/base/visible_text.h"
-#include "core/exchange/content_lines.h"
 #include "core/exchange/exact_angle.h"
 #include "core/exchange/field_book.h"
 #include "core/exchange/text_lines.h"

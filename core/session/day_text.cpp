@@ -1,4 +1,4 @@
-#include "core/session/day_text.h"
+#include "core/session/time_text.h"
 
 #include <algorithm>
 #include <cctype>

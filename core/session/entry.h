@@ -6,7 +6,7 @@
 #include <string_view>
 
 #include "core/base/angle.h"
-#include "core/base/circle_unit.h"
+#include "core/base/angle_text.h"
 #include "core/base/result.h"
 #include "core/session/measurement.h"
 

@@ -4,8 +4,8 @@
 #include <iterator>
 
 #include "core/base/phrase.h"
-#include "core/session/day_text.h"
 #include "core/session/session_fields.h"
+#include "core/session/time_text.h"
 
 namespace alidade {
 

@@ -1,4 +1,4 @@
-#include "core/session/instant.h"
+#include "core/session/time_text.h"
 
 #include <chrono>
 #include <cmath>

@@ -7,7 +7,7 @@
 #include <string_view>
 
 #include "core/base/sha256.h"
-#include "core/session/json_layout.h"
+#include "core/session/json_text.h"
 #include "core/session/row_fields.h"
 #include "core/session/value_text.h"
 

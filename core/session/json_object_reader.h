@@ -6,7 +6,6 @@
 #include <string_view>
 #include <vector>
 
-#include "core/base/place.h"
 #include "core/base/problem.h"
 #include "core/session/json_origin.h"
 #include "core/session/value_text.h"

@@ -12,7 +12,6 @@
 #include "core/base/phrase.h"
 #include "core/base/threads.h"
 #include "core/session/compensator.h"
-#include "core/session/day_text.h"
 #include "core/session/entry.h"
 #include "core/session/instrument_record.h"
 #include "core/session/position_examiner.h"
@@ -20,6 +19,7 @@
 #include "core/session/row_fields.h"
 #include "core/session/row_order.h"
 #include "core/session/session_fields.h"
+#include "core/session/time_text.h"
 
 namespace alidade {
 

@@ -8,8 +8,7 @@
 #include <vector>
 
 #include "core/base/angle.h"
-#include "core/base/circle_unit.h"
-#include "core/base/place.h"
+#include "core/base/angle_text.h"
 #include "core/base/problem.h"
 #include "core/session/own_effects.h"
 #include "core/session/session.h"

@@ -6,7 +6,6 @@
 
 #include "core/base/file_bytes.h"
 #include "core/base/phrase.h"
-#include "core/session/json_layout.h"
 #include "core/session/json_object_writer.h"
 #include "core/session/json_text.h"
 #include "core/session/own_effects.h"

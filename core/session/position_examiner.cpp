@@ -11,9 +11,9 @@
 #include "core/base/visible_text.h"
 #include "core/session/entry.h"
 #include "core/session/face.h"
-#include "core/session/instant.h"
 #include "core/session/problem_reporter.h"
 #include "core/session/row_fields.h"
+#include "core/session/time_text.h"
 
 namespace alidade {
 

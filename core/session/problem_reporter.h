@@ -3,7 +3,6 @@
 #include <optional>
 #include <vector>
 
-#include "core/base/place.h"
 #include "core/base/problem.h"
 #include "core/base/result.h"
 

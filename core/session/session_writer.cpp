@@ -1,8 +1,8 @@
 #include <nlohmann/json.hpp>
 #include <utility>
 
-#include "core/session/json_layout.h"
 #include "core/session/json_object_writer.h"
+#include "core/session/json_text.h"
 #include "core/session/known_size_json.h"
 #include "core/session/row_fields.h"
 #include "core/session/session_fields.h"

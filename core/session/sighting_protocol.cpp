@@ -10,7 +10,6 @@
 #include "core/base/phrase.h"
 #include "core/base/visible_text.h"
 #include "core/session/entry.h"
-#include "core/session/json_layout.h"
 #include "core/session/json_object_reader.h"
 #include "core/session/json_object_writer.h"
 #include "core/session/json_text.h"

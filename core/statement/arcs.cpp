@@ -6,8 +6,8 @@
 
 #include "core/adjustment/result/arc_summary.h"
 #include "core/base/list_text.h"
+#include "core/base/number_text.h"
 #include "core/base/phrase.h"
-#include "core/base/quantity_text.h"
 #include "core/effects/catalogue.h"
 #include "core/statement/result_figures.h"
 #include "core/wording/effect_name.h"

@@ -5,8 +5,8 @@
 #include <limits>
 #include <utility>
 
+#include "core/base/number_text.h"
 #include "core/base/phrase.h"
-#include "core/base/quantity_text.h"
 #include "core/base/visible_text.h"
 #include "core/wording/budget.h"
 #include "core/wording/closures.h"

@@ -2,8 +2,8 @@
 #include <cmath>
 
 #include "core/base/list_text.h"
+#include "core/base/number_text.h"
 #include "core/base/phrase.h"
-#include "core/base/quantity_text.h"
 #include "core/base/statistics.h"
 #include "core/effects/catalogue.h"
 #include "core/evaluation/remedies.h"

@@ -1,7 +1,7 @@
 #include <algorithm>
 
+#include "core/base/number_text.h"
 #include "core/base/phrase.h"
-#include "core/base/quantity_text.h"
 #include "core/statement/gap.h"
 #include "core/wording/closures.h"
 #include "core/wording/size_text.h"

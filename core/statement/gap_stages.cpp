@@ -1,7 +1,7 @@
 #include <cmath>
 
+#include "core/base/number_text.h"
 #include "core/base/phrase.h"
-#include "core/base/quantity_text.h"
 #include "core/effects/cause_ids.h"
 #include "core/statement/gap.h"
 #include "core/wording/budget.h"

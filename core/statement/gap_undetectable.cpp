@@ -1,5 +1,5 @@
+#include "core/base/number_text.h"
 #include "core/base/phrase.h"
-#include "core/base/quantity_text.h"
 #include "core/diagnosis/session_evidence.h"
 #include "core/statement/gap.h"
 #include "core/wording/effect_name.h"

@@ -1,5 +1,5 @@
+#include "core/base/number_text.h"
 #include "core/base/phrase.h"
-#include "core/base/quantity_text.h"
 #include "core/statement/gap.h"
 #include "core/wording/closures.h"
 #include "core/wording/diagnosis_sentence.h"

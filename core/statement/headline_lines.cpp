@@ -5,8 +5,8 @@
 #include <utility>
 
 #include "core/base/list_text.h"
+#include "core/base/number_text.h"
 #include "core/base/phrase.h"
-#include "core/base/quantity_text.h"
 #include "core/effects/cause_ids.h"
 #include "core/wording/closures.h"
 #include "core/wording/conditions.h"

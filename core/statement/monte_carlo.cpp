@@ -5,8 +5,8 @@
 #include <optional>
 #include <utility>
 
+#include "core/base/number_text.h"
 #include "core/base/phrase.h"
-#include "core/base/quantity_text.h"
 #include "core/wording/findings.h"
 
 namespace alidade {

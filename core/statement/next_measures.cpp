@@ -8,8 +8,8 @@
 #include <utility>
 
 #include "core/base/list_text.h"
+#include "core/base/number_text.h"
 #include "core/base/phrase.h"
-#include "core/base/quantity_text.h"
 #include "core/base/square.h"
 #include "core/diagnosis/session_evidence.h"
 #include "core/session/protocol_progress.h"

@@ -7,8 +7,8 @@
 #include "core/adjustment/joint/reliability.h"
 #include "core/adjustment/result/input_reliability.h"
 #include "core/base/list_text.h"
+#include "core/base/number_text.h"
 #include "core/base/phrase.h"
-#include "core/base/quantity_text.h"
 #include "core/session/face.h"
 #include "core/wording/position_name.h"
 

@@ -7,8 +7,8 @@
 #include <vector>
 
 #include "core/base/list_text.h"
+#include "core/base/number_text.h"
 #include "core/base/phrase.h"
-#include "core/base/quantity_text.h"
 #include "core/effects/catalogue.h"
 #include "core/effects/cause_ids.h"
 #include "core/wording/effect_name.h"

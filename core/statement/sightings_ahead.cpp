@@ -6,8 +6,8 @@
 #include <vector>
 
 #include "core/base/list_text.h"
+#include "core/base/number_text.h"
 #include "core/base/phrase.h"
-#include "core/base/quantity_text.h"
 #include "core/session/face.h"
 #include "core/statement/next_measures.h"
 

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/base/quantity_text.h"
+#include "core/base/number_text.h"
 
 namespace alidade {
 

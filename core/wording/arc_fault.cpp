@@ -1,7 +1,7 @@
 #include "core/wording/findings.h"
 
+#include "core/base/number_text.h"
 #include "core/base/phrase.h"
-#include "core/base/quantity_text.h"
 
 namespace alidade {
 

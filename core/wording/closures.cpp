@@ -4,8 +4,8 @@
 #include <vector>
 
 #include "core/base/list_text.h"
+#include "core/base/number_text.h"
 #include "core/base/phrase.h"
-#include "core/base/quantity_text.h"
 #include "core/base/statistics.h"
 #include "core/wording/position_name.h"
 

@@ -3,8 +3,8 @@
 #include <algorithm>
 
 #include "core/base/list_text.h"
+#include "core/base/number_text.h"
 #include "core/base/phrase.h"
-#include "core/base/quantity_text.h"
 #include "core/effects/cause_ids.h"
 #include "core/session/face.h"
 #include "core/wording/closures.h"

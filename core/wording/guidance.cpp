@@ -5,8 +5,8 @@
 #include <vector>
 
 #include "core/base/list_text.h"
+#include "core/base/number_text.h"
 #include "core/base/phrase.h"
-#include "core/base/quantity_text.h"
 #include "core/observation/reading_ref.h"
 #include "core/session/face.h"
 #include "core/wording/position_name.h"

@@ -7,7 +7,7 @@
 
 #include "core/base/list_text.h"
 #include "core/base/phrase.h"
-#include "core/base/place.h"
+#include "core/base/problem.h"
 #include "core/effects/catalogue.h"
 #include "core/wording/effect_name.h"
 

@@ -5,8 +5,8 @@
 #include <vector>
 
 #include "core/base/list_text.h"
+#include "core/base/number_text.h"
 #include "core/base/phrase.h"
-#include "core/base/quantity_text.h"
 #include "core/base/visible_text.h"
 #include "core/effects/catalogue.h"
 #include "core/wording/effect_name.h"

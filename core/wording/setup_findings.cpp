@@ -3,7 +3,6 @@
 #include "core/adjustment/result/reading_step.h"
 #include "core/base/number_text.h"
 #include "core/base/phrase.h"
-#include "core/base/quantity_text.h"
 #include "core/wording/position_name.h"
 
 namespace alidade {

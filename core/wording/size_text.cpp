@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "core/base/quantity_text.h"
+#include "core/base/number_text.h"
 #include "core/wording/effect_name.h"
 
 namespace alidade {

@@ -5,8 +5,8 @@
 
 #include "core/base/angle_text.h"
 #include "core/base/list_text.h"
+#include "core/base/number_text.h"
 #include "core/base/phrase.h"
-#include "core/base/quantity_text.h"
 #include "core/base/visible_text.h"
 #include "core/session/face.h"
 #include "core/wording/position_name.h"

@@ -4,7 +4,6 @@
 
 #include "core/base/number_text.h"
 #include "core/base/phrase.h"
-#include "core/base/quantity_text.h"
 #include "core/wording/closures.h"
 #include "core/wording/conditions.h"
 #include "core/wording/effect_name.h"

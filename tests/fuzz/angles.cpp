@@ -4,7 +4,6 @@
 
 #include "core/base/angle_text.h"
 #include "core/base/number_text.h"
-#include "core/base/quantity_text.h"
 #include "core/base/utf8.h"
 #include "core/exchange/recording.h"
 #include "core/session/measurement.h"

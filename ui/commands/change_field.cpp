@@ -3,8 +3,8 @@
 #include <QCoreApplication>
 
 #include "core/evaluation/remedies.h"
-#include "core/session/day_text.h"
 #include "core/session/session_fields.h"
+#include "core/session/time_text.h"
 #include "ui/commands/change_part.h"
 #include "ui/document/field.h"
 #include "ui/document/session_document.h"

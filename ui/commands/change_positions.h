@@ -4,7 +4,7 @@
 #include <cstddef>
 #include <vector>
 
-#include "core/base/place.h"
+#include "core/base/problem.h"
 #include "core/session/session.h"
 #include "ui/commands/journalled_command.h"
 

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "core/base/place.h"
+#include "core/base/problem.h"
 #include "core/base/result.h"
 #include "core/session/instrument_record.h"
 #include "core/session/own_effect.h"

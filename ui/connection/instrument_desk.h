@@ -2,7 +2,7 @@
 
 #include <QObject>
 
-#include "core/base/place.h"
+#include "core/base/problem.h"
 #include "ui/connection/instrument_link.h"
 #include "ui/connection/reading_flow.h"
 

@@ -4,7 +4,7 @@
 #include <optional>
 #include <string>
 
-#include "core/base/place.h"
+#include "core/base/problem.h"
 #include "core/connection/instrument_reading.h"
 #include "core/evaluation/evaluation.h"
 #include "core/session/entry_to_come.h"

@@ -9,7 +9,7 @@
 #include <memory>
 #include <optional>
 
-#include "core/base/circle_unit.h"
+#include "core/base/angle_text.h"
 #include "core/session/own_effect.h"
 #include "core/session/sighting_protocol.h"
 #include "ui/dialogs/busy.h"

@@ -3,7 +3,7 @@
 #include <QDialog>
 #include <optional>
 
-#include "core/base/circle_unit.h"
+#include "core/base/angle_text.h"
 #include "core/session/sighting_protocol.h"
 
 class QCheckBox;

@@ -6,7 +6,7 @@
 #include <string>
 #include <string_view>
 
-#include "core/base/place.h"
+#include "core/base/problem.h"
 #include "core/session/session.h"
 
 namespace alidade::ui {

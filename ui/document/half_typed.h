@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "core/base/place.h"
+#include "core/base/problem.h"
 
 namespace alidade::ui {
 

@@ -5,7 +5,7 @@
 #include <string_view>
 #include <utility>
 
-#include "core/base/place.h"
+#include "core/base/problem.h"
 #include "core/session/journal_check.h"
 #include "core/session/session_fields.h"
 

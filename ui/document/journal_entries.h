@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "core/base/place.h"
+#include "core/base/problem.h"
 #include "core/session/journal.h"
 #include "core/session/session.h"
 #include "ui/document/readings_patch.h"

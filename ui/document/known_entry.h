@@ -6,7 +6,7 @@
 #include <string_view>
 #include <vector>
 
-#include "core/base/place.h"
+#include "core/base/problem.h"
 #include "core/effects/catalogue.h"
 #include "core/session/session.h"
 

@@ -6,7 +6,7 @@
 #include <string>
 #include <utility>
 
-#include "core/base/place.h"
+#include "core/base/problem.h"
 #include "ui/document/readings_patch.h"
 
 namespace alidade::ui {

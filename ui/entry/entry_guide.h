@@ -4,7 +4,7 @@
 #include <cstddef>
 #include <optional>
 
-#include "core/base/place.h"
+#include "core/base/problem.h"
 #include "core/session/entry_to_come.h"
 #include "core/statement/headline.h"
 #include "ui/jobs/fit_job.h"

@@ -3,7 +3,7 @@
 #include <QObject>
 #include <QString>
 
-#include "core/base/place.h"
+#include "core/base/problem.h"
 
 namespace alidade::ui {
 

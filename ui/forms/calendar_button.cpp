@@ -7,7 +7,7 @@
 #include <QMenu>
 #include <QWidgetAction>
 
-#include "core/session/day_text.h"
+#include "core/session/time_text.h"
 #include "ui/settings/theme.h"
 
 namespace alidade::ui {

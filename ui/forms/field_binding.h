@@ -3,8 +3,8 @@
 #include <QObject>
 #include <QString>
 
-#include "core/base/circle_unit.h"
-#include "core/base/place.h"
+#include "core/base/angle_text.h"
+#include "core/base/problem.h"
 
 namespace alidade::ui {
 

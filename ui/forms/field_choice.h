@@ -3,7 +3,7 @@
 #include <QComboBox>
 #include <QVector>
 
-#include "core/base/place.h"
+#include "core/base/problem.h"
 
 namespace alidade::ui {
 

@@ -2,7 +2,7 @@
 
 #include <QLineEdit>
 
-#include "core/base/place.h"
+#include "core/base/problem.h"
 
 class QAction;
 

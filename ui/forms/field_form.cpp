@@ -4,8 +4,8 @@
 #include <QGridLayout>
 #include <QLabel>
 
-#include "core/session/day_text.h"
 #include "core/session/session_fields.h"
+#include "core/session/time_text.h"
 #include "ui/forms/calendar_button.h"
 #include "ui/forms/field_choice.h"
 #include "ui/forms/field_edit.h"

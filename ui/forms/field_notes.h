@@ -2,7 +2,7 @@
 
 #include <QPlainTextEdit>
 
-#include "core/base/place.h"
+#include "core/base/problem.h"
 
 namespace alidade::ui {
 

@@ -16,7 +16,7 @@
 
 #include "core/base/limits.h"
 #include "core/base/phrase.h"
-#include "core/exchange/import_journal.h"
+#include "core/exchange/import.h"
 #include "core/session/entry.h"
 #include "core/session/row_fields.h"
 #include "ui/import/import_files.h"

@@ -5,7 +5,7 @@
 #include <utility>
 #include <vector>
 
-#include "core/base/circle_unit.h"
+#include "core/base/angle_text.h"
 #include "ui/document/reading_column.h"
 #include "ui/models/row_notes.h"
 

@@ -9,7 +9,7 @@
 #include <cmath>
 
 #include "core/base/list_text.h"
-#include "core/base/quantity_text.h"
+#include "core/base/number_text.h"
 #include "core/wording/series_words.h"
 #include "core/wording/verdict.h"
 #include "ui/panels/parts/figure_grid.h"

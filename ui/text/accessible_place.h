@@ -2,7 +2,7 @@
 
 #include <QString>
 
-#include "core/base/place.h"
+#include "core/base/problem.h"
 #include "core/session/session.h"
 
 namespace alidade::ui {

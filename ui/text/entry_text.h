@@ -4,7 +4,7 @@
 #include <QStringList>
 #include <string>
 
-#include "core/base/circle_unit.h"
+#include "core/base/angle_text.h"
 #include "core/base/phrase.h"
 
 namespace alidade::ui {

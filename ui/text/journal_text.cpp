@@ -5,7 +5,7 @@
 #include <QStringList>
 #include <algorithm>
 
-#include "core/base/place.h"
+#include "core/base/problem.h"
 #include "core/wording/journal.h"
 #include "ui/document/reading_column.h"
 #include "ui/text/accessible_place.h"

@@ -2,7 +2,7 @@
 
 #include <QString>
 
-#include "core/base/circle_unit.h"
+#include "core/base/angle_text.h"
 #include "core/evaluation/next_reading.h"
 #include "core/session/entry_to_come.h"
 

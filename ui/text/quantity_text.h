@@ -3,8 +3,8 @@
 #include <QString>
 
 #include "core/base/angle.h"
-#include "core/base/circle_unit.h"
-#include "core/base/quantity_text.h"
+#include "core/base/angle_text.h"
+#include "core/base/number_text.h"
 
 namespace alidade::ui {
 

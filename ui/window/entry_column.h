@@ -2,7 +2,7 @@
 
 #include <QObject>
 
-#include "core/base/place.h"
+#include "core/base/problem.h"
 
 class QSplitter;
 class QTabWidget;

@@ -18,7 +18,6 @@
 #include "core/base/sha256.h"
 #include "core/base/visible_text.h"
 #include "core/exchange/import.h"
-#include "core/exchange/import_journal.h"
 #include "core/exchange/recognise.h"
 #include "core/exchange/text_lines.h"
 #include "core/session/measurement.h"

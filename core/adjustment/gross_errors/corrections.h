@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "core/adjustment/gross_errors/entry_errors.h"
-#include "core/base/place.h"
+#include "core/base/problem.h"
 #include "core/session/measurement.h"
 #include "core/session/session.h"
 

@@ -8,7 +8,7 @@
 #include "core/adjustment/joint/reading_test.h"
 #include "core/adjustment/result/session_fit.h"
 #include "core/base/angle.h"
-#include "core/base/place.h"
+#include "core/base/problem.h"
 #include "core/session/measurement.h"
 #include "core/session/session.h"
 

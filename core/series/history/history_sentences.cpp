@@ -7,7 +7,6 @@
 #include "core/base/list_text.h"
 #include "core/base/number_text.h"
 #include "core/base/phrase.h"
-#include "core/base/quantity_text.h"
 #include "core/base/visible_text.h"
 #include "core/wording/effect_name.h"
 #include "core/wording/verdict.h"

@@ -5,8 +5,8 @@
 #include <utility>
 
 #include "core/base/list_text.h"
+#include "core/base/number_text.h"
 #include "core/base/phrase.h"
-#include "core/base/quantity_text.h"
 #include "core/base/visible_text.h"
 #include "core/series/history/history_sentences.h"
 

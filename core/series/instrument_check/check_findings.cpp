@@ -6,8 +6,8 @@
 
 #include "core/base/angle.h"
 #include "core/base/list_text.h"
+#include "core/base/number_text.h"
 #include "core/base/phrase.h"
-#include "core/base/quantity_text.h"
 #include "core/base/visible_text.h"
 
 namespace alidade {

@@ -4,8 +4,8 @@
 #include <cmath>
 #include <utility>
 
+#include "core/base/number_text.h"
 #include "core/base/phrase.h"
-#include "core/base/quantity_text.h"
 #include "core/base/visible_text.h"
 #include "core/series/instrument_check/check_findings.h"
 

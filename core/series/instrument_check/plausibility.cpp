@@ -6,8 +6,8 @@
 #include <string>
 #include <utility>
 
+#include "core/base/number_text.h"
 #include "core/base/phrase.h"
-#include "core/base/quantity_text.h"
 #include "core/base/visible_text.h"
 #include "core/series/instrument_check/round_difference.h"
 #include "core/series/instrument_check/station_parting.h"

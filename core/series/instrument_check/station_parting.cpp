@@ -5,8 +5,8 @@
 #include <set>
 #include <utility>
 
+#include "core/base/number_text.h"
 #include "core/base/phrase.h"
-#include "core/base/quantity_text.h"
 #include "core/base/visible_text.h"
 #include "core/series/instrument_check/round_difference.h"
 

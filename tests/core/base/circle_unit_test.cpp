@@ -1,8 +1,6 @@
-#include "core/base/circle_unit.h"
+#include "core/base/angle_text.h"
 
 #include <gtest/gtest.h>
-
-#include "core/base/angle_text.h"
 
 namespace alidade {
 namespace {

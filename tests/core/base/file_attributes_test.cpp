@@ -1,4 +1,4 @@
-#include "core/base/file_attributes.h"
+#include "core/base/atomic_file.h"
 
 #include <gtest/gtest.h>
 #include <sys/stat.h>
@@ -7,7 +7,6 @@
 #include <cstdint>
 #include <optional>
 
-#include "core/base/atomic_file.h"
 #include "tests/support/temporary_folder.h"
 
 namespace alidade::test {

@@ -1,4 +1,4 @@
-#include "core/base/place.h"
+#include "core/base/problem.h"
 
 #include <gtest/gtest.h>
 

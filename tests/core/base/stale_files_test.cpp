@@ -1,4 +1,4 @@
-#include "core/base/stale_files.h"
+#include "core/base/atomic_file.h"
 
 #include <gtest/gtest.h>
 #include <sys/stat.h>
@@ -6,7 +6,6 @@
 
 #include <ctime>
 
-#include "core/base/atomic_file.h"
 #include "tests/support/temporary_folder.h"
 
 namespace alidade::test {

@@ -3,10 +3,10 @@
 #include <gmock/gmock.h>
 
 #include "core/exchange/csv_reader.h"
-#include "core/exchange/folded_text.h"
 #include "core/exchange/heading_words.h"
 #include "core/exchange/table_faces.h"
 #include "core/exchange/unread_rows.h"
+#include "core/exchange/words.h"
 
 namespace alidade::test {
 namespace {

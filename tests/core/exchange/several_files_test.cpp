@@ -3,7 +3,6 @@
 #include "core/base/sha256.h"
 #include "core/exchange/grouped_problems.h"
 #include "core/exchange/import.h"
-#include "core/exchange/import_journal.h"
 #include "core/session/measurement.h"
 #include "tests/support/paper_table.h"
 

@@ -1,4 +1,4 @@
-#include "core/session/json_layout.h"
+#include "core/session/json_text.h"
 
 #include <gtest/gtest.h>
 

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <map>
 
-#include "core/base/quantity_text.h"
+#include "core/base/number_text.h"
 #include "core/diagnosis/diagnose.h"
 #include "core/session/session_file.h"
 #include "core/statement/gap.h"

@@ -9,7 +9,6 @@
 #include <string>
 
 #include "core/base/number_text.h"
-#include "core/base/quantity_text.h"
 #include "tests/support/paper_table.h"
 
 namespace alidade {

@@ -3,7 +3,7 @@
 #include <QStringList>
 #include <QWidget>
 
-#include "core/base/place.h"
+#include "core/base/problem.h"
 #include "core/evaluation/gap.h"
 #include "core/evaluation/remedies.h"
 

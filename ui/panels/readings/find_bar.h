@@ -3,7 +3,7 @@
 #include <QFrame>
 #include <optional>
 
-#include "core/base/place.h"
+#include "core/base/problem.h"
 #include "core/session/session.h"
 
 class QLabel;

@@ -4,7 +4,7 @@
 #include <map>
 #include <vector>
 
-#include "core/base/place.h"
+#include "core/base/problem.h"
 #include "ui/document/reading_column.h"
 #include "ui/jobs/fit_job.h"
 

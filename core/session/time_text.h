@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <string>
 #include <string_view>
 
@@ -12,5 +13,9 @@ std::string completedDay(const std::string& typed);
 
 /// Is the entry with this key in the session file a day?
 bool isDay(std::string_view key);
+
+/// A moment such as `2026-03-01T10:12:13.5+01:00` (ISO 8601) in minutes since 1970-01-01T00:00Z. A blank may
+/// replace the T; missing seconds are 0, and a missing zone counts as UTC. Absent for other texts.
+std::optional<double> minutesOf(std::string_view text);
 
 }  // namespace alidade
