@@ -66,12 +66,15 @@ int Passage::writeTemporary() {
   if (const int error = openTemporary(file)) return error;
   const int error = writeAll(file);
   if (error == 0 && m_target.kind == FileTarget::Kind::File) {
-    // A refused step is not an error. Without the old file's access list, the group gets no rights.
-    [[maybe_unused]] const int ofGroup = fchown(file, static_cast<uid_t>(-1), m_target.group);
-    [[maybe_unused]] const int ofMode = fchmod(file, m_target.mode & ~mode_t{S_IRWXG});
-    const bool isAccessKept = copyFileAttributes(m_target.path, file);
-    if (isAccessKept) [[maybe_unused]]
-      const int ofGroupToo = fchmod(file, m_target.mode);
+    // A refused step is not an error. Without the old file's access list, the group gets no rights. A group
+    // that did not have the old file gets only the rights of all others.
+    const bool isGroupKept = m_calls.changeGroup(file, m_target.group) == 0;
+    const mode_t withoutGroup = m_target.mode & ~mode_t{S_IRWXG};
+    [[maybe_unused]] const int ofMode = fchmod(file, withoutGroup);
+    if (copyFileAttributes(m_target.path, file)) {
+      const mode_t mode = isGroupKept ? m_target.mode : withoutGroup | ((m_target.mode & S_IRWXO) << 3U);
+      [[maybe_unused]] const int ofGroup = fchmod(file, mode);
+    }
   }
   return close(file, error == 0 ? sync(file) : error);
 }

@@ -21,6 +21,9 @@ struct FileCalls {
   std::function<int(const char* path, int flags, mode_t mode)> open =
       [](const char* path, int flags, mode_t mode) { return ::open(path, flags, mode); };
   std::function<ssize_t(int file, const void* bytes, std::size_t count)> write = ::write;
+  std::function<int(int file, gid_t group)> changeGroup = [](int file, gid_t group) {
+    return ::fchown(file, static_cast<uid_t>(-1), group);
+  };
   std::function<int(int file)> sync = ::fsync;
   std::function<int(int file)> close = ::close;
   std::function<int(const char* from, const char* to)> rename = std::rename;
@@ -35,9 +38,10 @@ struct FileContent {
 
 /// Writes the file completely or not at all: a temporary file in the same folder receives the bytes and
 /// replaces the file once every byte is on the disk. Until then, and if a step fails, the old file stays. A
-/// replaced file's permissions are kept, and its group if the system allows it; its other hard links keep the
-/// old bytes. A symbolic link stays, and its target is replaced. Terminals, pipes and devices are written to
-/// directly. All our programs write files with `writeFile` or `writeFiles`.
+/// replaced file's permissions are kept, and its group if the system allows it; otherwise the new group gets
+/// the rights of all others. The file's other hard links keep the old bytes. A symbolic link stays, and its
+/// target is replaced. Terminals, pipes and devices are written to directly. All our programs write files
+/// with `writeFile` or `writeFiles`.
 ///
 /// Absent if the file was written; otherwise one sentence with the path, the reason and what to do. `inputs`
 /// are the files that were read for the output, `-` for standard input; none of them is replaced, not even

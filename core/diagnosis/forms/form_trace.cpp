@@ -1,4 +1,4 @@
-#include "core/diagnosis/forms/found_form.h"
+#include "core/diagnosis/forms/find_forms.h"
 
 #include <algorithm>
 #include <cmath>

@@ -8,6 +8,7 @@
 #include <csignal>
 #include <fstream>
 #include <sstream>
+#include <utility>
 
 #include "core/base/file_bytes.h"
 #include "tests/support/temporary_folder.h"
@@ -82,6 +83,21 @@ TEST_F(AtomicFile, KeepsThePermissionsOfTheOldFile) {
     ASSERT_EQ(chmod(path("new").c_str(), mode), 0);
     ASSERT_FALSE(writeFile(path("new"), "y", {}));
     EXPECT_EQ(modeOf(path("new")), mode);
+  }
+}
+
+// Else the group of the writing program would get what the file's own group may do.
+TEST_F(AtomicFile, GivesAGroupThatDidNotHaveTheFileTheRightsOfAllOthers) {
+  FileCalls calls;
+  calls.changeGroup = failing(EPERM, calls.changeGroup);
+  for (const auto& [before, after] :
+       {std::pair(0660U, 0600U), {0640U, 0600U}, {0664U, 0644U}, {0644U, 0644U}}) {
+    const std::string file = folder.file("shared", "x");
+    ASSERT_EQ(chmod(file.c_str(), before), 0);
+    ASSERT_FALSE(writeFile(file, "y", {}, calls));
+    struct stat status = {};
+    ASSERT_EQ(stat(file.c_str(), &status), 0);
+    EXPECT_EQ(status.st_mode & 07777U, after);
   }
 }
 
