@@ -101,9 +101,4 @@ Result<Import> importReadings(const std::vector<ReadingsFile>& files, const Impo
   return assemble(std::move(recordings), files, options);
 }
 
-Result<Import> importReadings(std::string_view bytes, const ImportOptions& options) {
-  return importReadings({ReadingsFile{.name = {}, .bytes = bytes, .turnedAtLine = options.turnedAtLine}},
-                        options);
-}
-
 }  // namespace alidade

@@ -28,10 +28,9 @@ struct ReadingsFile {
 
 /// Options for all files of an import.
 struct ImportOptions {
-  Session base = blankSession();            ///< session to which the readings are added, after its own
-  AngleUnit unit = AngleUnit::Unstated;     ///< unit of plain numbers in columns whose heading states none
-  std::string zeroPoint;                    ///< name of the zero; empty: ZERO, in instrument files also 0
-  std::optional<std::size_t> turnedAtLine;  ///< for a single file, as in `ReadingsFile`
+  Session base = blankSession();         ///< session to which the readings are added, after its own
+  AngleUnit unit = AngleUnit::Unstated;  ///< unit of plain numbers in columns whose heading states none
+  std::string zeroPoint;                 ///< name of the zero; empty: ZERO, in instrument files also 0
 };
 
 /// The source of the rows of a position: the lines of a file, in row order.
@@ -67,9 +66,6 @@ inline constexpr const char* putAtZero = PHRASE_LATER(
 /// in the note. Fails on files that are not text, have an unreadable format or hold no readings, and on
 /// vertical circles of two kinds.
 Result<Import> importReadings(const std::vector<ReadingsFile>& files, const ImportOptions& options = {});
-
-/// Imports a single file, with `turnedAtLine` from the options.
-Result<Import> importReadings(std::string_view bytes, const ImportOptions& options = {});
 
 /// Line ranges such as `2–18, 20, 22–30`; of more than twenty ranges, the first twenty and the last line.
 std::string linesText(const ImportedRows& rows);

@@ -8,7 +8,7 @@ namespace alidade::fuzz {
 void throwCsv(std::string_view bytes) {
   if (const Result<std::string> text = utf8Text(bytes)) checkPlaces(readTable(*text, {}), *text);
   importBytes(bytes, {});
-  importBytes(bytes, {.unit = AngleUnit::Dms, .zeroPoint = "P1", .turnedAtLine = 3});
+  importBytes(bytes, {.unit = AngleUnit::Dms, .zeroPoint = "P1"}, 3);
 }
 
 }  // namespace alidade::fuzz

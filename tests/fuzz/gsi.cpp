@@ -10,7 +10,7 @@ void throwGsi(std::string_view bytes) {
     for (const FileFormat& format : fileFormats())
       if (format.read) checkPlaces(format.read(*text, {}), *text);
   importBytes(bytes, {});
-  importBytes(bytes, {.zeroPoint = "100", .turnedAtLine = 3});
+  importBytes(bytes, {.zeroPoint = "100"}, 3);
 }
 
 }  // namespace alidade::fuzz

@@ -37,8 +37,10 @@ void checkPlaces(const Recording& recording, std::string_view text) {
   for (const std::string& sentence : recording.unused) require(!sentence.empty(), "a remark without words");
 }
 
-void importBytes(std::string_view bytes, const ImportOptions& options) {
-  const Result<Import> import = importReadings(bytes, options);
+void importBytes(std::string_view bytes, const ImportOptions& options,
+                 std::optional<std::size_t> turnedAtLine) {
+  const Result<Import> import =
+      importReadings({{.name = {}, .bytes = bytes, .turnedAtLine = turnedAtLine}}, options);
   if (!import) return require(!import.problem().what.empty(), "a file refused without words");
   const std::string text = *utf8Text(bytes);
   const std::vector<TextLine> lines = linesOf(text);

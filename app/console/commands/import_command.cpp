@@ -137,7 +137,7 @@ std::optional<TableLayout> layoutOf(const ImportRequest& request, std::string_vi
 }
 
 /// The files to import. They refer to `bytes`, which must outlive them.
-Result<std::vector<ReadingsFile>> filesOf(const ImportRequest& request, const ImportOptions& options,
+Result<std::vector<ReadingsFile>> filesOf(const ImportRequest& request,
                                           const std::vector<std::string>& bytes) {
   std::vector<ReadingsFile> files;
   const std::size_t count = request.files.size();
@@ -146,12 +146,13 @@ Result<std::vector<ReadingsFile>> filesOf(const ImportRequest& request, const Im
                               round = entryFor("--round", request.rounds, i, count);
     if (!axis) return axis.problem();
     if (!round) return round.problem();
-    files.push_back({.name = nameOf(request.files[i]),
-                     .bytes = bytes[i],
-                     .axis = *axis,
-                     .round = *round,
-                     .turnedAtLine = options.turnedAtLine,
-                     .table = layoutOf(request, bytes[i])});
+    files.push_back(
+        {.name = nameOf(request.files[i]),
+         .bytes = bytes[i],
+         .axis = *axis,
+         .round = *round,
+         .turnedAtLine = request.turnedAtLine > 0 ? std::optional(request.turnedAtLine) : std::nullopt,
+         .table = layoutOf(request, bytes[i])});
   }
   return files;
 }
@@ -261,7 +262,6 @@ Result<ImportOptions> importOptions(const ImportRequest& request) {
   }
   options.unit = angleUnitNamed(request.unit);
   options.zeroPoint = request.zeroPoint;
-  if (request.turnedAtLine > 0) options.turnedAtLine = request.turnedAtLine;
   Session& base = options.base;
   if (!request.title.empty()) base.title = request.title;
   if (!request.verticalCircle.empty()) base.geometry.verticalCircle = request.verticalCircle;
@@ -289,7 +289,7 @@ Result<ImportOptions> importOptions(const ImportRequest& request) {
 Result<ImportAnswer> runImport(const ImportRequest& request, const ImportOptions& options) {
   const Result<std::vector<std::string>> bytes = readAll(request.files);
   if (!bytes) return bytes.problem();
-  const Result<std::vector<ReadingsFile>> files = filesOf(request, options, *bytes);
+  const Result<std::vector<ReadingsFile>> files = filesOf(request, *bytes);
   if (!files) return files.problem();
   Result<Import> read = importReadings(*files, options);
   if (!read) return read.problem();

@@ -25,7 +25,7 @@ struct ReadFile {
 
 ReadFile readFile(const std::string& name) {
   const std::string bytes = contentOf(std::filesystem::path(ALIDADE_REFERENCE_DIR) / "import" / name);
-  const Result<Import> import = importReadings(bytes);
+  const Result<Import> import = importReadings({{.name = {}, .bytes = bytes}});
   ReadFile read;
   if (!import) {
     read.refusal = import.problem().what;

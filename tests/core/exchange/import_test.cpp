@@ -24,8 +24,10 @@ std::string gsiOf(const std::string& name, const std::string& horizontal, const 
          vertical + "\n";
 }
 
-Import imported(const std::string& text, const ImportOptions& options = {}) {
-  const Result<Import> import = importReadings(text, options);
+Import imported(const std::string& text, const ImportOptions& options = {},
+                std::optional<std::size_t> turnedAtLine = {}) {
+  const Result<Import> import =
+      importReadings({{.name = {}, .bytes = text, .turnedAtLine = turnedAtLine}}, options);
   EXPECT_TRUE(import) << import.problem().text();
   return import ? *import : Import{};
 }
@@ -99,10 +101,8 @@ TEST(Import, LeavesFaceAndRoundEmptyWhereThereIsOne) {
 }
 
 TEST(Import, TellsPositionsByTheLineWhereTheFileDoesNot) {
-  ImportOptions options;
-  options.turnedAtLine = 2;
   const Import import =
-      imported(gsiOf("1", "34152240", "08816490") + gsiOf("1", "34152240", "08816490"), options);
+      imported(gsiOf("1", "34152240", "08816490") + gsiOf("1", "34152240", "08816490"), {}, 2);
   ASSERT_EQ(import.session.positions.size(), 2u);
   EXPECT_EQ(import.session.positions[1].axisDeg, "180");
   EXPECT_EQ(import.session.positions[1].readings.size(), 1u);
@@ -110,10 +110,8 @@ TEST(Import, TellsPositionsByTheLineWhereTheFileDoesNot) {
 }
 
 TEST(Import, RefusesALineBehindTheLastReading) {
-  ImportOptions options;
-  options.turnedAtLine = 3;
-  const std::string gsi = gsiOf("1", "34152240", "08816490") + gsiOf("1", "34152240", "08816490");
-  const auto import = importReadings(gsi + "\n\n", options);
+  const std::string gsi = gsiOf("1", "34152240", "08816490") + gsiOf("1", "34152240", "08816490") + "\n\n";
+  const auto import = importReadings({{.name = {}, .bytes = gsi, .turnedAtLine = 3}});
   ASSERT_FALSE(import);
   EXPECT_THAT(import.problem().what, HasSubstr("its last reading in line 2"));
 }
@@ -250,7 +248,7 @@ TEST(Import, NamesEntriesByLineAndColumnAndKeepsThem) {
 
 TEST(Import, RefusesWhatHoldsNoReadings) {
   const auto refusal = [](const std::string& text) {
-    const Result<Import> import = importReadings(text);
+    const Result<Import> import = importReadings({{.name = {}, .bytes = text}});
     EXPECT_FALSE(import) << text;
     return import ? std::string() : import.problem().what;
   };
@@ -265,7 +263,7 @@ TEST(Import, RefusesWhatHoldsNoReadings) {
 /// The conditions on every import: a session that can be written and read, a sentence and a line for every
 /// problem.
 void expectSound(const std::string& text) {
-  const Result<Import> import = importReadings(text);
+  const Result<Import> import = importReadings({{.name = {}, .bytes = text}});
   if (!import) {
     EXPECT_FALSE(import.problem().what.empty());
     return;

@@ -26,7 +26,7 @@ Session withoutRows(Session session) {
 Import importedInto(const Session& base, const std::string& csv) {
   ImportOptions options;
   options.base = base;
-  const Result<Import> import = importReadings(csv, options);
+  const Result<Import> import = importReadings({{.name = {}, .bytes = csv}}, options);
   EXPECT_TRUE(import) << import.problem().text();
   return import ? *import : Import{};
 }

@@ -26,7 +26,8 @@ std::string tableFile(const std::string& name) {
 Import importOf(const std::string& name, AngleUnit unit = AngleUnit::Unstated) {
   ImportOptions options;
   options.unit = unit;
-  const Result<Import> import = importReadings(tableFile(name), options);
+  const std::string bytes = tableFile(name);
+  const Result<Import> import = importReadings({{.name = {}, .bytes = bytes}}, options);
   EXPECT_TRUE(import) << name << ": " << (import ? "" : import.problem().what);
   return import ? *import : Import{};
 }

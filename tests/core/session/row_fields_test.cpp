@@ -81,7 +81,8 @@ TEST(RowFields, ComeFromTables) {
     names += std::string(field.key) + ";";
     cells += (field.flag ? "yes" : soundText(field)) + ";";
   }
-  const Result<Import> import = importReadings(names + "\n" + cells + "\n");
+  const std::string table = names + "\n" + cells + "\n";
+  const Result<Import> import = importReadings({{.name = {}, .bytes = table}});
   ASSERT_TRUE(import);
   EXPECT_THAT(import->problems, IsEmpty());
   const Reading& row = import->session.positions.at(0).readings.at(0);
