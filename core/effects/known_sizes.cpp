@@ -27,10 +27,6 @@ const EffectParameter* findParameter(std::string_view effect, std::string_view p
   return parameterOf(effectById(effect), parameter, unit);
 }
 
-const EffectParameter* findParameter(const KnownNumber& known) {
-  return findParameter(known.effect, known.parameter, known.unit);
-}
-
 const EffectParameter* findParameter(const Measurement& measurement, const KnownNumber& known) {
   return parameterOf(effectById(known.effect, measurement), known.parameter, known.unit);
 }

@@ -16,7 +16,6 @@ bool hasSizes(const Effect& effect);
 /// may be empty if the effect has only one parameter.
 const EffectParameter* findParameter(std::string_view effect, std::string_view parameter,
                                      std::string_view unit);
-const EffectParameter* findParameter(const KnownNumber& known);
 /// The parameter in the catalogue or in the user's own effects of the measurement.
 const EffectParameter* findParameter(const Measurement& measurement, const KnownNumber& known);
 

@@ -204,10 +204,6 @@ void CheckInput::showButtons() {
   m_clear->setEnabled(!isBlank || !m_cleared.isEmpty());
 }
 
-bool CheckInput::hasFiles() const {
-  return !m_files.empty();
-}
-
 QStringList CheckInput::paths() const {
   QStringList paths;
   for (const OpenFile& file : m_files) paths.append(file.path);

@@ -26,7 +26,6 @@ class CheckInput : public QWidget {
   explicit CheckInput(Dialogs& dialogs, QWidget* parent = nullptr);
 
   InstrumentQuestion question() const;
-  bool hasFiles() const;
   /// Adds files; reports unreadable ones.
   void addFiles(const QStringList& paths);
   CheckRowsTable& table() { return *m_table; }

@@ -11,11 +11,10 @@ namespace {
 constexpr double arcsec = std::numbers::pi / 180 / 3600;
 
 TEST(KnownSizes, AreOfTheNumberTheyName) {
-  const EffectParameter* collimation = findParameter({.effect = "collimation", .unit = "arcsec"});
+  const EffectParameter* collimation = findParameter("collimation", "", "arcsec");
   ASSERT_TRUE(collimation);
   EXPECT_EQ(collimation->term, ErrorTerm::Collimation);
-  const EffectParameter* tilt =
-      findParameter({.effect = "plane_tilt", .parameter = "tilt about y", .unit = "deg"});
+  const EffectParameter* tilt = findParameter("plane_tilt", "tilt about y", "deg");
   ASSERT_TRUE(tilt);
   EXPECT_EQ(tilt->term, ErrorTerm::PlaneTiltY);
 }
@@ -27,7 +26,7 @@ TEST(KnownSizes, AreOfNothingElse) {
         KnownNumber{.effect = "collimation", .parameter = "tilt", .unit = "arcsec"},
         KnownNumber{.effect = "plane_tilt", .unit = "deg"},  // which of two?
         KnownNumber{.effect = "vertical_angle_relation", .unit = "-"}})
-    EXPECT_FALSE(findParameter(known)) << known.effect << known.parameter;
+    EXPECT_FALSE(findParameter(known.effect, known.parameter, known.unit)) << known.effect << known.parameter;
 }
 
 TEST(KnownSizes, AreOfEffectsThatHaveASize) {

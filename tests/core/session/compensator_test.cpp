@@ -121,9 +121,9 @@ TEST(Compensator, FindsTheTiltOfTheAxisFromOneFace) {
   measurement.sigmaCompensator = Angle::fromArcseconds(0.5);
   const auto known = compensatorKnowledge(measurement).known;
   ASSERT_EQ(known.size(), 2U);
-  for (const KnownNumber& number : known) ASSERT_TRUE(findParameter(number)) << number.parameter;
-  EXPECT_EQ(findParameter(known[0])->term, ErrorTerm::VerticalAxisTiltX);
-  EXPECT_EQ(findParameter(known[1])->term, ErrorTerm::VerticalAxisTiltZ);
+  for (const KnownNumber& number : known) ASSERT_TRUE(findParameter(measurement, number)) << number.parameter;
+  EXPECT_EQ(findParameter(measurement, known[0])->term, ErrorTerm::VerticalAxisTiltX);
+  EXPECT_EQ(findParameter(measurement, known[1])->term, ErrorTerm::VerticalAxisTiltZ);
   // The index is 0 ± σ and inseparable from the tilt over so few degrees: it pulls towards zero by the ratio
   // of the weights of ten rows and of σ.
   EXPECT_NEAR(known[0].value, 33, 0.01);
@@ -181,11 +181,11 @@ TEST(Compensator, KnowsWhatTheInstrumentCalibrates) {
       oneFace, {.corrections = Corrections{.collimation = true, .tiltingAxis = true}, .hasTilts = false});
   const auto known = compensatorKnowledge(measurement).known;
   ASSERT_EQ(known.size(), 2U);
-  EXPECT_EQ(findParameter(known[0])->term, ErrorTerm::Collimation);
-  EXPECT_EQ(findParameter(known[1])->term, ErrorTerm::TrunnionTilt);
+  EXPECT_EQ(findParameter(measurement, known[0])->term, ErrorTerm::Collimation);
+  EXPECT_EQ(findParameter(measurement, known[1])->term, ErrorTerm::TrunnionTilt);
   for (const KnownNumber& number : known) {
     EXPECT_EQ(number.value, 0);
-    EXPECT_LT(number.sigma, findParameter(number)->plausible / 3);
+    EXPECT_LT(number.sigma, findParameter(measurement, number)->plausible / 3);
   }
 }
 

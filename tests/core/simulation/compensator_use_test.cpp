@@ -80,10 +80,11 @@ TEST(CompensatorUse, TiltsAreKnownAsWellAsStated) {
     const Truth truth = tiltedTruth(seed);
     Session session = sessionOf(truth, seed);
     stateCompensator(session, truth, CompensatorUse::Measured, ofCompensator, seed);
-    const auto known = examine(session).measurement->known;
+    const Measurement measurement = *examine(session).measurement;
+    const auto& known = measurement.known;
     ASSERT_EQ(known.size(), 2U);
     for (const KnownNumber& number : known) {
-      const bool isAboutX = findParameter(number)->term == ErrorTerm::VerticalAxisTiltX;
+      const bool isAboutX = findParameter(measurement, number)->term == ErrorTerm::VerticalAxisTiltX;
       squares += std::pow((number.value - (isAboutX ? 200 : -200)) / number.sigma, 2);
       ++count;
     }

@@ -147,13 +147,6 @@ QList<QList<QPointF>> FormPlot::curves(std::size_t which) const {
   return {line};
 }
 
-std::size_t FormPlot::curvePoints() const {
-  std::size_t count = 0;
-  for (const auto& curve : m_curves)
-    for (const QLineSeries* piece : curve) count += static_cast<std::size_t>(piece->count());
-  return count;
-}
-
 void FormPlot::placeExtras() {
   const QRectF range = sceneFromAxes().inverted().mapRect(plotArea());
   const auto level = [&](double y) { return QList<QPointF>{{range.left(), y}, {range.right(), y}}; };

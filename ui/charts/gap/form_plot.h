@@ -32,8 +32,6 @@ class FormPlot : public Plot {
   const FoundForm& form() const { return m_form; }
   /// True if at least one sighting took no part in finding the form.
   bool isHeldOut() const;
-  /// The number of curve points inside the plot area.
-  std::size_t curvePoints() const;
 
  protected:
   void applyStyle() override;

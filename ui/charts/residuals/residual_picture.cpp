@@ -97,17 +97,6 @@ ResidualPicture residualPicture(const Evaluation& evaluation) {
   return picture;
 }
 
-bool ResidualPicture::oneSigma() const {
-  return std::abs(sigmaHorizontal - sigmaVertical) <= 1e-9 * largestSigma();
-}
-
-double ResidualPicture::largestResidual() const {
-  double largest = 0;
-  for (const DrawnResidual& residual : residuals)
-    if (residual.circle != CircleRead::Slider) largest = std::max(largest, std::abs(residual.arcsec));
-  return largest;
-}
-
 double ResidualPicture::sigmaOf(CircleRead circle) const {
   if (circle == CircleRead::Slider) return sigmaSlider;
   return circle == CircleRead::Horizontal ? sigmaHorizontal : sigmaVertical;

@@ -35,9 +35,6 @@ struct ResidualPicture {
   double sigmaSlider = 0;
 
   bool isEmpty() const { return residuals.empty(); }
-  bool oneSigma() const;  ///< true: both circles have the same σ
-  double largestSigma() const { return sigmaHorizontal > sigmaVertical ? sigmaHorizontal : sigmaVertical; }
-  double largestResidual() const;  ///< largest absolute residual of both circles, arcseconds
   double sigmaOf(CircleRead circle) const;
 };
 
