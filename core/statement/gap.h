@@ -26,6 +26,10 @@ Statement gapForms(const Gap& gap);
 /// The residuals and Δd in each stage from the bare model to Δd, measured.
 Statement gapStages(const Gap& gap);
 
+/// A sentence on each division of the readings that has several parts, by frame, position, circle, …: the
+/// shares of the parts in the gap, from 1 % on. `where`: of a session or of a series. No table.
+Statement gapWhere(const std::vector<GapShare>& where);
+
 /// The closures with the session's own model, and with the causes added; `isNotable` marks failing closures.
 Statement gapClosures(const Gap& gap);
 

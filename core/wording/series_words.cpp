@@ -42,15 +42,6 @@ bool isOfOne(const SharedCause& cause) {
   return cause.owner == CauseOwner::Time && cause.sizes.empty();
 }
 
-/// "radius along the guideway (7 periods in a turn), guideway G-1".
-std::string patternText(const SharedPattern& pattern) {
-  std::string text = Phrase::of(pattern.follows.c_str());
-  if (pattern.order > 0) text = Phrase::of("%1 (%2 periods in a turn)", text, pattern.order);
-  if (pattern.owner == CauseOwner::Instrument) return Phrase::of("%1, instrument %2", text, pattern.serial);
-  if (pattern.owner == CauseOwner::Guideway) return Phrase::of("%1, guideway %2", text, pattern.serial);
-  return text;
-}
-
 std::string unknownText(const SeriesDiagnosis& series, const std::vector<std::string>& shared) {
   const SharedPattern& pattern = *series.pattern;
   std::string text = Phrase::of("The sessions (%1) share a gap that no effect of the catalogue explains.",
@@ -100,6 +91,14 @@ std::string distinctName(const std::string& file, const std::string& other) {
 }
 
 }  // namespace
+
+std::string patternText(const SharedPattern& pattern) {
+  std::string text = Phrase::of(pattern.follows.c_str());
+  if (pattern.order > 0) text = Phrase::of("%1 (%2 periods in a turn)", text, pattern.order);
+  if (pattern.owner == CauseOwner::Instrument) return Phrase::of("%1, instrument %2", text, pattern.serial);
+  if (pattern.owner == CauseOwner::Guideway) return Phrase::of("%1, guideway %2", text, pattern.serial);
+  return text;
+}
 
 std::string ownerText(const SharedCause& cause) {
   switch (cause.owner) {

@@ -13,6 +13,8 @@ namespace alidade {
 
 /// "instrument T-1", "guideway G-1", "the session by itself".
 std::string ownerText(const SharedCause& cause);
+/// "radius along the guideway (7 periods in a turn), guideway G-1".
+std::string patternText(const SharedPattern& pattern);
 /// The result of the sessions together.
 std::string sentenceOf(const SeriesDiagnosis& series);
 /// "Measure guideway G-1 with instrument T-2: separates A and B by 4.3 σ (sessions needed: 2)."

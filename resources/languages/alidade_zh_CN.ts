@@ -1243,14 +1243,6 @@ Sealed by:</source>
     </message>
 </context>
 <context>
-    <name>GapText</name>
-    <message>
-        <source>%1 %2</source>
-        <extracomment>a number of an effect and its size: sag −0.298 mm (u 0.009)</extracomment>
-        <translation>%1 %2</translation>
-    </message>
-</context>
-<context>
     <name>HelpPage</name>
     <message>
         <source>First measurement in ten steps</source>
@@ -3477,9 +3469,13 @@ Sealed by:</source>
     </message>
     <message>
         <source>%1: %2</source>
-        <extracomment>a name and what it is: &quot;Δd: not determined by these readings&quot;
+        <extracomment>a division of the readings and its parts: &quot;belongs to: guideway 80 %, noise 20 %&quot;
+----------
+a name and what it is: &quot;Δd: not determined by these readings&quot;
 ----------
 a sentence and what it rests on: &quot;… (72 %): the radii differ by 13 σ&quot;
+----------
+a number of an effect and its size: &quot;tilt about x: 12.0″ (u 1.5)&quot;
 ----------
 title of a column and its cell: &quot;cannot be told from: gravity sag&quot;</extracomment>
         <translation>%1：%2</translation>
@@ -7972,6 +7968,142 @@ Includes every catalogued effect, limited by these readings or by its plausible 
         <source>%1; %2 in %3</source>
         <translation>%1；%3 %2</translation>
     </message>
+    <message>
+        <source>Where the gap lies</source>
+        <translation>差距所在</translation>
+    </message>
+    <message>
+        <source>%1, changing between sessions</source>
+        <translation>%1，各测量记录间变化</translation>
+    </message>
+    <message>
+        <source>What the sessions share</source>
+        <translation>测量记录共有的效应</translation>
+    </message>
+    <message>
+        <source>Cause</source>
+        <translation>原因</translation>
+    </message>
+    <message>
+        <source>Owner</source>
+        <translation>所属</translation>
+    </message>
+    <message>
+        <source>Probability</source>
+        <translation>概率</translation>
+    </message>
+    <message>
+        <source>In one session (σ)</source>
+        <translation>单份测量记录中（σ）</translation>
+    </message>
+    <message>
+        <source>In all (σ)</source>
+        <translation>全部测量记录中（σ）</translation>
+    </message>
+    <message>
+        <source>with what is shared</source>
+        <translation>计入共有的效应</translation>
+    </message>
+    <message>
+        <source>The residuals of sessions held out of the fit shrink by %1 %.</source>
+        <translation>留在拟合之外的测量记录，其残差缩小 %1 %。</translation>
+    </message>
+    <message>
+        <source>Each session alone and within the series</source>
+        <translation>各测量记录单独及结合系列的诊断</translation>
+    </message>
+    <message>
+        <source>Device</source>
+        <translation>设备</translation>
+    </message>
+    <message>
+        <source>Alone</source>
+        <translation>单独</translation>
+    </message>
+    <message>
+        <source>Within the series</source>
+        <translation>结合系列</translation>
+    </message>
+    <message>
+        <source>Undetectable in all sessions together</source>
+        <translation>全部测量记录合在一起也检测不出的效应</translation>
+    </message>
+    <message>
+        <source>belongs to</source>
+        <translation>归属</translation>
+    </message>
+    <message>
+        <source>axis at</source>
+        <translation>轴位</translation>
+    </message>
+    <message>
+        <source>in time</source>
+        <translation>时间上</translation>
+    </message>
+    <message>
+        <source>shows in</source>
+        <translation>显示于</translation>
+    </message>
+    <message>
+        <source>along the arc</source>
+        <translation>沿弧</translation>
+    </message>
+    <message>
+        <source>circle</source>
+        <translation>度盘</translation>
+    </message>
+    <message>
+        <source>session</source>
+        <translation>测量记录</translation>
+    </message>
+    <message>
+        <source>guideway</source>
+        <translation>导轨</translation>
+    </message>
+    <message>
+        <source>guideway or instrument</source>
+        <translation>导轨或仪器</translation>
+    </message>
+    <message>
+        <source>noise</source>
+        <translation>噪声</translation>
+    </message>
+    <message>
+        <source>the radii</source>
+        <translation>半径</translation>
+    </message>
+    <message>
+        <source>the centres</source>
+        <translation>圆心</translation>
+    </message>
+    <message>
+        <source>positions at one axis angle</source>
+        <translation>同一轴位的各次测量</translation>
+    </message>
+    <message>
+        <source>the pointing zeros</source>
+        <translation>瞄准零位</translation>
+    </message>
+    <message>
+        <source>the residuals</source>
+        <translation>残差</translation>
+    </message>
+    <message>
+        <source>1st quarter</source>
+        <translation>第 1 四分段</translation>
+    </message>
+    <message>
+        <source>2nd quarter</source>
+        <translation>第 2 四分段</translation>
+    </message>
+    <message>
+        <source>3rd quarter</source>
+        <translation>第 3 四分段</translation>
+    </message>
+    <message>
+        <source>4th quarter</source>
+        <translation>第 4 四分段</translation>
+    </message>
 </context>
 <context>
     <name>PlaceText</name>
@@ -10334,80 +10466,8 @@ a clause as a sentence</extracomment>
 <context>
     <name>alidade::ui::DiagnosisPanel</name>
     <message>
-        <source>Cause</source>
-        <translation>原因</translation>
-    </message>
-    <message>
-        <source>Owner</source>
-        <translation>所属</translation>
-    </message>
-    <message>
-        <source>Size</source>
-        <translation>大小</translation>
-    </message>
-    <message>
-        <source>Probability</source>
-        <translation>概率</translation>
-    </message>
-    <message>
-        <source>In one session (σ)</source>
-        <translation>单份测量记录中（σ）</translation>
-    </message>
-    <message>
-        <source>In all (σ)</source>
-        <translation>全部测量记录中（σ）</translation>
-    </message>
-    <message>
-        <source>Look-alikes</source>
-        <translation>无法与之区分</translation>
-    </message>
-    <message>
-        <source>What the sessions share</source>
-        <translation>测量记录共有的效应</translation>
-    </message>
-    <message>
-        <source>Session</source>
-        <translation>测量记录</translation>
-    </message>
-    <message>
-        <source>Date</source>
-        <translation>日期</translation>
-    </message>
-    <message>
-        <source>Instrument</source>
-        <translation>仪器</translation>
-    </message>
-    <message>
-        <source>Device</source>
-        <translation>设备</translation>
-    </message>
-    <message>
-        <source>Alone</source>
-        <translation>单独</translation>
-    </message>
-    <message>
-        <source>Within the series</source>
-        <translation>结合系列</translation>
-    </message>
-    <message>
-        <source>Each session alone and within the series</source>
-        <translation>各测量记录单独及结合系列的诊断</translation>
-    </message>
-    <message>
         <source>No sessions yet.</source>
         <translation>尚无测量记录。</translation>
-    </message>
-    <message>
-        <source>Reduced χ² of all sessions changes from %1 to %2; residuals of held-out sessions shrink by %3 %.</source>
-        <translation>全部测量记录的约化 χ² 由 %1 变为 %2；留出的测量记录的残差缩小 %3 %。</translation>
-    </message>
-    <message>
-        <source>%1, changing between sessions</source>
-        <translation>%1，各测量记录间变化</translation>
-    </message>
-    <message>
-        <source> or </source>
-        <translation>或</translation>
     </message>
     <message>
         <source>Keep “%1” as an Effect…</source>
@@ -10416,6 +10476,10 @@ a clause as a sentence</extracomment>
     <message>
         <source>Writes an effect of your own, for this device or instrument, into a file</source>
         <translation>将自定义效应（属于该设备或仪器）写入文件</translation>
+    </message>
+    <message>
+        <source>The sessions share no cause.</source>
+        <translation>各测量记录没有共同的原因。</translation>
     </message>
 </context>
 <context>
@@ -10878,108 +10942,12 @@ a clause as a sentence</extracomment>
 <context>
     <name>alidade::ui::GapMap</name>
     <message>
-        <source>belongs to</source>
-        <translation>归属</translation>
-    </message>
-    <message>
-        <source>axis at</source>
-        <translation>轴位</translation>
-    </message>
-    <message>
-        <source>in time</source>
-        <translation>时间上</translation>
-    </message>
-    <message>
-        <source>shows in</source>
-        <translation>显示于</translation>
-    </message>
-    <message>
-        <source>along the arc</source>
-        <translation>沿弧</translation>
-    </message>
-    <message>
-        <source>the radii</source>
-        <translation>半径</translation>
-    </message>
-    <message>
-        <source>the centres</source>
-        <translation>圆心</translation>
-    </message>
-    <message>
-        <source>the residuals</source>
-        <translation>残差</translation>
-    </message>
-    <message>
-        <source>1st quarter</source>
-        <translation>第 1 四分段</translation>
-    </message>
-    <message>
-        <source>2nd quarter</source>
-        <translation>第 2 四分段</translation>
-    </message>
-    <message>
-        <source>3rd quarter</source>
-        <translation>第 3 四分段</translation>
-    </message>
-    <message>
-        <source>4th quarter</source>
-        <translation>第 4 四分段</translation>
-    </message>
-    <message>
         <source>Where the gap lies</source>
         <translation>差距所在</translation>
     </message>
     <message>
         <source>%1 %2: %3 of the gap</source>
         <translation>%1：%2，占差距的 %3</translation>
-    </message>
-    <message>
-        <source>circle</source>
-        <translation>度盘</translation>
-    </message>
-    <message>
-        <source>face</source>
-        <translation>盘位</translation>
-    </message>
-    <message>
-        <source>round</source>
-        <translation>测回</translation>
-    </message>
-    <message>
-        <source>horizontal</source>
-        <translation>水平</translation>
-    </message>
-    <message>
-        <source>vertical</source>
-        <translation>竖直</translation>
-    </message>
-    <message>
-        <source>slider</source>
-        <translation>滑块</translation>
-    </message>
-    <message>
-        <source>guideway</source>
-        <translation>导轨</translation>
-    </message>
-    <message>
-        <source>instrument</source>
-        <translation>仪器</translation>
-    </message>
-    <message>
-        <source>guideway or instrument</source>
-        <translation>导轨或仪器</translation>
-    </message>
-    <message>
-        <source>time</source>
-        <translation>时间</translation>
-    </message>
-    <message>
-        <source>readings</source>
-        <translation>读数</translation>
-    </message>
-    <message>
-        <source>noise</source>
-        <translation>噪声</translation>
     </message>
 </context>
 <context>

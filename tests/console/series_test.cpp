@@ -18,7 +18,7 @@ TEST(Series, SaysWhatAFolderShares) {
   const ProgramRun run = alidadeCli({"diagnose", storedSeries + "/series-06"});
   EXPECT_EQ(run.exitCode, 0) << run.err;
   EXPECT_THAT(run.out, HasSubstr("trunnion tilt of instrument T-1"));
-  EXPECT_THAT(run.out, HasSubstr("within the series"));
+  EXPECT_THAT(run.out, HasSubstr("Within the series"));
   EXPECT_EQ(run.err, "");
 }
 

@@ -6,9 +6,11 @@
 #include "core/series/shared_causes/series_diagnosis.h"
 
 class QLabel;
-class QTableWidget;
 
 namespace alidade::ui {
+
+class StatementTable;
+class StatementView;
 
 using SharedSeriesDiagnosis = std::shared_ptr<const SeriesDiagnosis>;
 
@@ -23,8 +25,8 @@ class DiagnosisPanel : public QWidget {
   /// Null: no diagnosis, and `reason` says why.
   void setDiagnosis(const SharedSeriesDiagnosis& diagnosis, const QString& reason = {});
 
-  QTableWidget* causes() const { return m_causes; }
-  QTableWidget* sessions() const { return m_sessions; }
+  StatementTable* causes() const { return m_causes; }
+  StatementTable* sessions() const { return m_sessions; }
 
  signals:
   /// A session was activated: its index in the diagnosed files.
@@ -33,16 +35,13 @@ class DiagnosisPanel : public QWidget {
   void keepWanted(const alidade::OwnEffect& effect);
 
  private:
-  QTableWidget* table(const QStringList& titles, const QString& name);
-  void showCauses();
-  void showSessions();
-  void showAdvice();
   void showOffers();
 
   SharedSeriesDiagnosis m_diagnosis;
-  QLabel *m_sentence, *m_gap, *m_advice;
+  QLabel *m_sentence, *m_findings;
   QWidget* m_offers;  ///< a button for each effect
-  QTableWidget *m_causes, *m_sessions;
+  StatementView *m_stages, *m_where, *m_advice, *m_undetectable;
+  StatementTable *m_causes, *m_sessions;
 };
 
 }  // namespace alidade::ui

@@ -26,7 +26,4 @@ inline QString gapHeadline(const Diagnosis& diagnosis) {
   return qText(headlineOf(diagnosis));
 }
 
-/// The number of a cause: "sag −0.298 mm (u 0.009)"; without its name if the effect's name contains it.
-QString parameterText(const Cause& cause, const CauseParameter& parameter);
-
 }  // namespace alidade::ui

@@ -24,6 +24,7 @@
 #include "tests/ui/shown_texts.h"
 #include "tests/ui/support.h"
 #include "ui/main_window.h"
+#include "ui/panels/parts/statement_view.h"
 #include "ui/series/diagnosis_panel.h"
 #include "ui/series/history_chart.h"
 #include "ui/series/history_panel.h"
@@ -115,11 +116,11 @@ TEST(SeriesWindow, TellsWhatTheSessionsShare) {
   bench.window.add({samplePath(QStringLiteral("series"))});
   bench.waitUntilIdle();
   DiagnosisPanel& panel = *bench.window.diagnosis();
-  ASSERT_GE(panel.causes()->rowCount(), 1);
-  ASSERT_EQ(panel.sessions()->rowCount(), bench.window.table()->rowCount());
+  ASSERT_GE(panel.causes()->model()->rowCount(), 1);
+  ASSERT_EQ(panel.sessions()->model()->rowCount(), bench.window.table()->rowCount());
   const QSignalSpy wanted(&bench.window, &SeriesWindow::sessionWanted);
   bench.window.pages()->setCurrentWidget(&panel);
-  emit panel.sessions()->itemActivated(panel.sessions()->item(2, 0));
+  emit panel.sessions()->rowActivated(2);
   ASSERT_EQ(wanted.count(), 1);
   EXPECT_TRUE(QFile::exists(wanted.first().first().toString()));
 }
@@ -228,7 +229,7 @@ TEST(SeriesWindow, CountsACopyOnceAndInThePlaceOfWhatWasTakenOut) {
   EXPECT_EQ(bench.cell(1, trouble).toStdString(),
             "holds the same readings as 2025-01-04.alidade: counted once");
   EXPECT_THAT(bench.text("history says"), HasSubstr("Weighted mean of 12 values"));
-  EXPECT_EQ(bench.window.diagnosis()->sessions()->rowCount(), 12);
+  EXPECT_EQ(bench.window.diagnosis()->sessions()->model()->rowCount(), 12);
   bench.window.table()->selectRow(0);
   bench.window.removeSelected();
   bench.waitUntilIdle();

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "core/exchange/csv_text.h"
+#include "core/wording/gap_shares.h"
 #include "ui/charts/plotting/plot_style.h"
 #include "ui/settings/theme.h"
 #include "ui/text/entry_text.h"
@@ -16,50 +17,6 @@ namespace {
 
 QString percentText(double share) {
   return numberText(100 * share, 0) + QStringLiteral(" %");
-}
-
-/// Fixed words of the diagnosis for the divisions of the readings and their parts.
-constexpr const char* words[] = {QT_TRANSLATE_NOOP("alidade::ui::GapMap", "circle"),
-                                 QT_TRANSLATE_NOOP("alidade::ui::GapMap", "face"),
-                                 QT_TRANSLATE_NOOP("alidade::ui::GapMap", "round"),
-                                 QT_TRANSLATE_NOOP("alidade::ui::GapMap", "horizontal"),
-                                 QT_TRANSLATE_NOOP("alidade::ui::GapMap", "vertical"),
-                                 QT_TRANSLATE_NOOP("alidade::ui::GapMap", "slider"),
-                                 QT_TRANSLATE_NOOP("alidade::ui::GapMap", "guideway"),
-                                 QT_TRANSLATE_NOOP("alidade::ui::GapMap", "instrument"),
-                                 QT_TRANSLATE_NOOP("alidade::ui::GapMap", "guideway or instrument"),
-                                 QT_TRANSLATE_NOOP("alidade::ui::GapMap", "time"),
-                                 QT_TRANSLATE_NOOP("alidade::ui::GapMap", "readings"),
-                                 QT_TRANSLATE_NOOP("alidade::ui::GapMap", "noise")};
-
-QString inWords(const std::string& text) {
-  const auto word = std::ranges::find(words, text);
-  return word == std::end(words) ? qText(text) : GapMap::tr(*word);
-}
-
-QString divisionName(const std::string& by) {
-  if (by == "frame") return GapMap::tr("belongs to");
-  if (by == "position") return GapMap::tr("axis at");
-  if (by == "time") return GapMap::tr("in time");
-  if (by == "closure") return GapMap::tr("shows in");
-  if (by == "sector") return GapMap::tr("along the arc");
-  return inWords(by);
-}
-
-QString partName(const GapShare& share) {
-  if (share.by == "position") return qText(share.of) + QChar(0x00b0);
-  if (share.by == "closure") {
-    if (share.of == "radius") return GapMap::tr("the radii");
-    if (share.of == "centre") return GapMap::tr("the centres");
-    return GapMap::tr("the residuals");
-  }
-  if (share.by == "time") {
-    const QString quarters[] = {GapMap::tr("1st quarter"), GapMap::tr("2nd quarter"),
-                                GapMap::tr("3rd quarter"), GapMap::tr("4th quarter")};
-    const int quarter = qText(share.of).right(1).toInt();
-    if (quarter >= 1 && quarter <= 4) return quarters[quarter - 1];
-  }
-  return inWords(share.of);
 }
 
 /// The number at the start of a name, which sorts "90…120°" after "60…90°"; 0 for words.
@@ -87,9 +44,9 @@ std::string GapMap::numbers() const {
 void GapMap::setShares(const std::vector<GapShare>& shares) {
   m_bars.clear();
   for (const GapShare& share : shares) {
-    const QString by = divisionName(share.by);
+    const QString by = qText(divisionName(share));
     if (m_bars.empty() || m_bars.back().by != by) m_bars.push_back({by, {}});
-    m_bars.back().parts.push_back({partName(share), share.share});
+    m_bars.back().parts.push_back({qText(partName(share)), share.share});
   }
   std::erase_if(m_bars, [](const Bar& bar) { return bar.parts.size() < 2; });
   QStringList accessible;
