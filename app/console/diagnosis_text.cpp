@@ -7,6 +7,7 @@
 #include "core/base/number_text.h"
 #include "core/statement/gap.h"
 #include "core/wording/form_sentence.h"
+#include "core/wording/size_text.h"
 
 namespace alidade::console {
 
@@ -24,13 +25,22 @@ std::string diagnosisText(const std::string& session, const Gap& gap, const std:
   return text + findingsText(findings);
 }
 
+namespace {
+
+/// "0.180 mm (u 0.003)"; an exact number, such as an order, is without uncertainty.
+std::string sizeOf(const FormNumber& number) {
+  return number.sigma > 0 ? sizeWithStandard(number.value, number.sigma, unitOf(number))
+                          : displayShortest(number.value);
+}
+
+}  // namespace
+
 std::string formsText(const std::vector<FoundForm>& forms) {
   std::string text;
   for (const FoundForm& form : forms) {
     text += "\n" + paragraph(formSentence(form));
     for (const FormNumber& number : form.parameters)
-      text +=
-          "  " + number.name + " " + fixedText(number.value, 3) + " (u " + fixedText(number.sigma, 3) + ")\n";
+      text += "  " + nameOf(number) + ": " + sizeOf(number) + "\n";
     if (const std::string alike = lookAlikesSentence(form); !alike.empty())
       text += paragraph("  " + alike, 2);
     if (const std::string clean = cleanRangeSentence(form); !clean.empty())

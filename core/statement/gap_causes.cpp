@@ -78,15 +78,6 @@ Change changeByStep(const Diagnosis& diagnosis, std::size_t step) {
   return shrunk.share ? shrunk : calming(size.reducedChiSquare, after.size.reducedChiSquare);
 }
 
-/// The name of a number of a form's shape; empty for an amplitude.
-std::string shapeName(const FormNumber& number) {
-  if (number.name == "order") return Phrase::of("order");
-  if (number.name == "tau") return "τ";
-  if (number.name == "cycles") return Phrase::of("cycles");
-  if (number.name.starts_with("at")) return Phrase::of("at");
-  return number.name.starts_with("width") ? Phrase::of("width") : "";
-}
-
 /// The rows of one gap.
 class Rows {
  public:
@@ -177,15 +168,12 @@ class Rows {
     rows.push_back(row(Phrase::of("Form: %1", kindText(form.form)), shortProbabilityText(form.probability),
                        std::move(change), lookAlikesText(form)));
     const std::size_t own = rows.size() - 1;
-    const std::string unit = form.form.isMillimetres() ? "mm" : "arcsec";
     for (const FormNumber& number : form.parameters) {
-      if (const std::string name = shapeName(number); !name.empty())
-        addPart(name, sizeOf(number.value, number.sigma, number.name.ends_with("_deg") ? "deg" : ""));
-      if (number.name.starts_with("amplitude")) rows[own].cells[1] = sizeOf(number.value, number.sigma, unit);
-      if (number.name.starts_with("horizontal"))
-        addPart(inWords(ReadingKind::Horizontal), sizeOf(number.value, number.sigma, unit));
-      if (number.name.starts_with("vertical"))
-        addPart(inWords(ReadingKind::Vertical), sizeOf(number.value, number.sigma, unit));
+      const std::string size = sizeOf(number.value, number.sigma, unitOf(number));
+      if (number.name.starts_with("amplitude"))
+        rows[own].cells[1] = size;
+      else
+        addPart(alidade::nameOf(number), size);
     }
   }
 

@@ -3,11 +3,13 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <string_view>
 #include <vector>
 
 #include "core/base/list_text.h"
 #include "core/base/number_text.h"
 #include "core/base/phrase.h"
+#include "core/observation/reading_ref.h"
 #include "core/wording/effect_name.h"
 #include "core/wording/verdict.h"
 
@@ -141,6 +143,23 @@ std::string kindText(const Form& form) {
   return form.turnsWithFace && form.of != FormArgument::VerticalCircle
              ? Phrase::of("%1 with the other sign in face 2", text)
              : text;
+}
+
+std::string nameOf(const FormNumber& number) {
+  const auto begins = [&](std::string_view name) { return number.name.starts_with(name); };
+  if (begins("amplitude")) return Phrase::of("amplitude");
+  if (begins("horizontal")) return inWords(ReadingKind::Horizontal);
+  if (begins("vertical")) return inWords(ReadingKind::Vertical);
+  if (begins("order")) return Phrase::of("order");
+  if (begins("cycles")) return Phrase::of("cycles");
+  if (begins("width")) return Phrase::of("width");
+  return begins("at") ? Phrase::of("at") : "τ";
+}
+
+std::string unitOf(const FormNumber& number) {
+  for (const char* const unit : {"mm", "arcsec", "deg"})
+    if (number.name.ends_with(std::string("_") + unit)) return unit;
+  return "1";
 }
 
 std::string formSentence(const FoundForm& found) {

@@ -19,6 +19,12 @@ std::string textOf(const FoundForm& found);
 /// "radius, cos 7s": the carrier and the first function of a form, without the amplitude.
 std::string kindText(const Form& form);
 
+/// The name of a number of a form: "amplitude", "order", "at", "width", "horizontal".
+std::string nameOf(const FormNumber& number);
+
+/// The unit of a number of the form, as in the catalogue: "mm", "arcsec", "deg" or "1".
+std::string unitOf(const FormNumber& number);
+
 /// "The form: … (probability 97 %)."
 std::string formSentence(const FoundForm& found);
 

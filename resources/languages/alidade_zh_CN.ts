@@ -8104,6 +8104,10 @@ Includes every catalogued effect, limited by these readings or by its plausible 
         <source>4th quarter</source>
         <translation>第 4 四分段</translation>
     </message>
+    <message>
+        <source>amplitude</source>
+        <translation>幅值</translation>
+    </message>
 </context>
 <context>
     <name>PlaceText</name>
