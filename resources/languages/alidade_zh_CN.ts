@@ -8155,6 +8155,15 @@ Includes every catalogued effect, limited by these readings or by its plausible 
         <source>own effects</source>
         <translation>自定义效应</translation>
     </message>
+    <message>
+        <source>%1 %2</source>
+        <extracomment>a place and its problem, as a predicate (&quot;is empty&quot;) and as a sentence</extracomment>
+        <translation>%1：%2</translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <translation>%1：%2</translation>
+    </message>
 </context>
 <context>
     <name>PositionText</name>
@@ -8876,11 +8885,6 @@ a clause as a sentence</extracomment>
     <message>
         <source>Readings changed, excluded or not usable, with the axis at %1</source>
         <translation>轴位 %1 中更改、排除或无法使用的读数</translation>
-    </message>
-    <message>
-        <source>%1: %2</source>
-        <extracomment>a place, and what is wrong there</extracomment>
-        <translation>%1：%2</translation>
     </message>
     <message>
         <source>1 finding: see below.</source>
@@ -10811,15 +10815,6 @@ a clause as a sentence</extracomment>
     <message>
         <source>%1 further entries cannot be used; they are listed once those above are corrected.</source>
         <translation>还有 %1 项无法使用；上述各项改正后，将列出其后的项。</translation>
-    </message>
-    <message>
-        <source>%1 %2</source>
-        <extracomment>a place and what is wrong with what stands there, as a predicate and as a sentence</extracomment>
-        <translation>%1：%2</translation>
-    </message>
-    <message>
-        <source>%1: %2</source>
-        <translation>%1：%2</translation>
     </message>
 </context>
 <context>

@@ -22,13 +22,6 @@ const QColor red(0xb0, 0x00, 0x20);
 const QColor pale(0xf2, 0xf2, 0xf2);
 const TextStyle large{.points = 15, .bold = true};
 
-QString problemText(const Session& session, const Problem& problem) {
-  const QString place = accessiblePlace(session, problem.where);
-  if (place.isEmpty()) return qText(problem.what);
-  //: a place, and what is wrong there
-  return Report::tr("%1: %2").arg(place, qText(problem.what));
-}
-
 /// The number of findings with a reference, so that no verdict is read without its findings; empty: none.
 QString findingsLine(const Gap& gap) {
   const std::vector<Finding> findings = findingsOf(*gap.evaluation);

@@ -7,6 +7,7 @@
 
 #include "ui/document/field.h"
 #include "ui/document/reading_column.h"
+#include "ui/text/effect_text.h"
 #include "ui/text/entry_text.h"
 #include "ui/text/known_text.h"
 #include "ui/text/position_text.h"
@@ -90,6 +91,15 @@ QString accessiblePlace(const Session& session, const Place& place) {
     parts.append(place.reading ? rowFieldName(place.field) : sessionFieldName(place.field));
   }
   return listText(parts);
+}
+
+QString problemText(const Session& session, const Problem& problem) {
+  const QString place = accessiblePlace(session, problem.where);
+  const QString what = qText(problem.what);
+  if (place.isEmpty()) return what;
+  //: a place and its problem, as a predicate ("is empty") and as a sentence
+  return (what.startsWith(QStringLiteral("is ")) ? PlaceText::tr("%1 %2") : PlaceText::tr("%1: %2"))
+      .arg(capitalised(place), what);
 }
 
 QString accessibleCell(const QString& shown, const QString& title) {

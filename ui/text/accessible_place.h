@@ -20,6 +20,9 @@ QString sessionFieldName(const std::string& name);
 /// zero β0", "distance L". Rows count from 1. Empty for the session as a whole.
 QString accessiblePlace(const Session& session, const Place& place);
 
+/// Place and problem: "Distance L is empty: …", "0°, row 4 (point 4), vertical reading: “83 99 34” has …".
+QString problemText(const Session& session, const Problem& problem);
+
 /// The text of a cell for a screen reader: `shown`, or that the cell in the column `title` is empty.
 QString accessibleCell(const QString& shown, const QString& title);
 

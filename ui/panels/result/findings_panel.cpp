@@ -12,23 +12,12 @@
 #include "ui/document/reading_column.h"
 #include "ui/settings/theme.h"
 #include "ui/text/accessible_place.h"
-#include "ui/text/effect_text.h"
 #include "ui/text/entry_text.h"
 #include "ui/text/visible_text.h"
 
 namespace alidade::ui {
 
 namespace {
-
-/// Place and problem: "Distance L is empty: …", "0°, row 4 (point 4), vertical reading: “83 99 34” has …".
-QString problemText(const Session& session, const Problem& problem) {
-  const QString place = accessiblePlace(session, problem.where);
-  const QString what = qText(problem.what);
-  if (place.isEmpty()) return what;
-  //: a place and what is wrong with what stands there, as a predicate and as a sentence
-  return (what.startsWith(QStringLiteral("is ")) ? FindingsPanel::tr("%1 %2") : FindingsPanel::tr("%1: %2"))
-      .arg(capitalised(place), what);
-}
 
 /// Rank by severity, worst first.
 int rankOf(const QString& icon) {
