@@ -232,10 +232,6 @@
         <translation>PDF (*.pdf)</translation>
     </message>
     <message>
-        <source>Print acceptance report</source>
-        <translation>打印验收报告</translation>
-    </message>
-    <message>
         <source>Seal</source>
         <translation>封存</translation>
     </message>
@@ -11736,6 +11732,10 @@ a clause as a sentence</extracomment>
     <message>
         <source>Alidade cannot print on “%1”: choose another printer, or save a PDF.</source>
         <translation>打印机“%1”无法打印：请另选一台，或保存 PDF。</translation>
+    </message>
+    <message>
+        <source>Print check of this installation</source>
+        <translation>打印本安装的检查</translation>
     </message>
 </context>
 <context>

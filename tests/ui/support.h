@@ -115,7 +115,9 @@ class ScriptedDialogs : public Dialogs {
     asked = paper.value_or(asked);
     return paper.has_value();
   }
-  bool askPrinter(QPrinter& printer) override { return printsTo(printer, printPath); }
+  bool askPrinter(QPrinter& printer, const QString& /*title*/) override {
+    return printsTo(printer, printPath);
+  }
   PreviewAnswer showPreview(QPrinter& printer, const std::function<void(QPrinter&)>& paint,
                             const PreviewChange& change) override;
   QString askSeal(const QString& suggestion) override {

@@ -194,9 +194,9 @@ bool Dialogs::askPaper(ReportPaper& paper) {
   return ui::askPaper(m_parent, paper);
 }
 
-bool Dialogs::askPrinter(QPrinter& printer) {
+bool Dialogs::askPrinter(QPrinter& printer, const QString& title) {
   QPrintDialog dialog(&printer, m_parent);
-  dialog.setWindowTitle(DialogsText::tr("Print acceptance report"));
+  dialog.setWindowTitle(title);
   dialog.setOption(QAbstractPrintDialog::PrintPageRange, false);
   return dialog.exec() == QDialog::Accepted;
 }

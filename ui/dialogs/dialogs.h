@@ -68,7 +68,7 @@ class Dialogs {
   virtual std::optional<ReportChoice> askReport(const ReportQuestion& question);
   /// False: cancelled.
   virtual bool askPaper(ReportPaper& paper);
-  virtual bool askPrinter(QPrinter& printer);
+  virtual bool askPrinter(QPrinter& printer, const QString& title);
   /// Shows what `paint` paints; returns what the user wants next.
   virtual PreviewAnswer showPreview(QPrinter& printer, const std::function<void(QPrinter&)>& paint,
                                     const PreviewChange& change);

@@ -232,7 +232,7 @@ bool ReportFlow::printOf(const SharedGap& gap) {
   const ReportSource source = reportSource(m_document);
   QPrinter printer(QPrinter::HighResolution);
   setPaper(printer, choice->paper, reportTitle(*translated->evaluation, source));
-  if (!m_dialogs.askPrinter(printer)) return false;
+  if (!m_dialogs.askPrinter(printer, tr("Print acceptance report"))) return false;
   printer.setFullPage(true);  // a newly chosen printer may have margins of its own
   const auto busy = m_dialogs.busy(tr("Printing the report…"));
   bool isStopped = false;

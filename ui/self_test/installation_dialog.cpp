@@ -134,7 +134,7 @@ bool InstallationDialog::print() {
   const ReportPaper paper;
   printer.setDocName(windowTitle());
   printer.setPageLayout(paper.layout());
-  if (!m_dialogs.askPrinter(printer)) return false;
+  if (!m_dialogs.askPrinter(printer, tr("Print check of this installation"))) return false;
   printer.setFullPage(true);  // a newly chosen printer may have margins of its own
   if (paintInstallationCheck(printer, *m_check, paper)) return true;
   m_dialogs.showProblem(windowTitle(),
