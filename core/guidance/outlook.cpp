@@ -14,7 +14,6 @@
 #include "core/diagnosis/planned_uncertainty.h"
 #include "core/guidance/forecast.h"
 #include "core/observation/half_turn.h"
-#include "core/observation/observe.h"
 #include "core/observation/zero_line.h"
 
 namespace alidade {
@@ -28,33 +27,22 @@ Circle circleOf(const Measurement& measurement, const SessionFit& fit, const Arc
   return {0, 0, measurement.nominalRadius};
 }
 
-/// Places sightings on the arc, with readings free of errors.
-class Placement {
- public:
-  Placement(Measurement& plan, const SessionFit& fit) : m_plan(plan), m_fit(fit) {}
-
-  /// The slider is at rest during a visit, so all sightings of the visit are at the place of the first.
-  void place(ArcMeasurement& arc, bool readsSlider) const {
-    const Circle circle = circleOf(m_plan, m_fit, arc);
-    const ZeroLine line(m_plan, arc);
-    std::map<std::pair<int, int>, double> places;  // arc angles, by point and round
-    for (Sighting& sighting : arc.sightings) {
-      const PlanePoint<double> seen = line.sightedPoint(sighting);
-      const double phi =
-          places.emplace(std::pair(sighting.point, sighting.round), nearestArcAngle(circle, seen))
-              .first->second;
-      const Direction<double> direction = line.observe(targetOnArc(circle.x, circle.y, circle.radius, phi));
-      sighting.a = Angle::fromRadians(direction.a);
-      sighting.e = Angle::fromRadians(direction.e);
-      if (readsSlider || sighting.slider)
-        sighting.slider = Angle::fromRadians(sliderCoordinateOf(phi, arc.axisDeg));
-    }
+/// Places the sightings of one of `plan`'s arcs on the fitted circle, with readings free of errors. The
+/// slider is at rest during a visit, so all sightings of the visit are at the place of the first.
+void placeOnArc(ArcMeasurement& arc, const Measurement& plan, const SessionFit& fit, bool readsSlider) {
+  const Circle circle = circleOf(plan, fit, arc);
+  const ZeroLine line(plan, arc);
+  std::map<std::pair<int, int>, double> places;  // arc angles, by point and round
+  for (Sighting& sighting : arc.sightings) {
+    const double phi = places
+                           .emplace(std::pair(sighting.point, sighting.round),
+                                    nearestArcAngle(circle, line.sightedPoint(sighting)))
+                           .first->second;
+    sightPerfectly(sighting, line, circle, phi);
+    if (readsSlider || sighting.slider)
+      sighting.slider = Angle::fromRadians(sliderCoordinateOf(phi, arc.axisDeg));
   }
-
- private:
-  Measurement& m_plan;
-  const SessionFit& m_fit;
-};
+}
 
 std::vector<SightedZero> sightingsOf(const ProtocolZeros& planned) {
   std::vector<SightedZero> zeros;
@@ -171,8 +159,7 @@ std::optional<ExpandedPair> withoutNoise(const ExpandedPair& all, const std::opt
 /// The existing rows, with readings free of errors.
 Measurement asThere(const Measurement& measurement, const SessionFit& fit) {
   Measurement plan = measurement;
-  const Placement placement(plan, fit);
-  for (ArcMeasurement& arc : plan.arcs) placement.place(arc, false);
+  for (ArcMeasurement& arc : plan.arcs) placeOnArc(arc, plan, fit, false);
   return plan;
 }
 
@@ -234,7 +221,6 @@ std::optional<Measurement> carriedOut(const Measurement& measurement, const Sess
                              .e = wrapped((arc.zeroVertical - expected[i]->vertical) * down),
                              .slider = {}});
   }
-  const Placement placement(plan, fit);
   plan.rows = 0;
   for (ArcMeasurement& arc : plan.arcs) {
     std::set<std::tuple<int, int, int>> there;  // existing sightings come first; duplicates are removed
@@ -248,7 +234,7 @@ std::optional<Measurement> carriedOut(const Measurement& measurement, const Sess
       arc.zero = zerosOf(zeros);
       arc.zeroSightings = sightingsOf(zeros);
     }
-    placement.place(arc, isPlanned && protocol.readsSlider);
+    placeOnArc(arc, plan, fit, isPlanned && protocol.readsSlider);
     for (Sighting& sighting : arc.sightings) {
       sighting.sequence = plan.rows++;
       sighting.minutes.reset();

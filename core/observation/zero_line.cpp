@@ -37,4 +37,10 @@ double ZeroLine::height() const {
   return m_plane == ArcPlane::Vertical ? m_distance * std::tan(m_elevation) : 0;
 }
 
+void sightPerfectly(Sighting& sighting, const ZeroLine& line, const Circle& circle, double phi) {
+  const Direction<double> seen = line.observe(targetOnArc(circle.x, circle.y, circle.radius, phi));
+  sighting.a = Angle::fromRadians(seen.a);
+  sighting.e = Angle::fromRadians(seen.e);
+}
+
 }  // namespace alidade

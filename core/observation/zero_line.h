@@ -1,5 +1,6 @@
 #pragma once
 
+#include "core/observation/guideway.h"
 #include "core/observation/perfect_theodolite.h"
 #include "core/session/measurement.h"
 
@@ -71,5 +72,9 @@ class ZeroLine {
   /// the zero.
   SpacePoint<double> lineOfSight(const Direction<double>& fromHorizon) const;
 };
+
+/// Gives a sighting the error-free reading of the point of a circle at the arc angle `phi`, rad. `line` is
+/// that of its position; the slider reading is kept.
+void sightPerfectly(Sighting& sighting, const ZeroLine& line, const Circle& circle, double phi);
 
 }  // namespace alidade

@@ -171,10 +171,7 @@ class Search {
       if (cell.kind == ReadingKind::Slider) continue;
       const Circle& circle = m_circles[cell.arc];
       const ZeroLine line(m_shifted, m_shifted.arcs[cell.arc]);
-      const double phi = nearestArcAngle(circle, line.sightedPoint(sighting));
-      const Direction<double> near = line.observe(targetOnArc(circle.x, circle.y, circle.radius, phi));
-      sighting.a = Angle::fromRadians(near.a);
-      sighting.e = Angle::fromRadians(near.e);
+      sightPerfectly(sighting, line, circle, nearestArcAngle(circle, line.sightedPoint(sighting)));
     }
     if (isStopped()) return;
     m_fit = fitJointly(m_shifted, m_circles, m_fitOptions);

@@ -7,7 +7,6 @@
 
 #include "core/adjustment/joint/sighted_zeros.h"
 #include "core/observation/half_turn.h"
-#include "core/observation/observe.h"
 #include "core/observation/visits.h"
 #include "core/observation/zero_line.h"
 
@@ -17,12 +16,6 @@ namespace {
 
 double arcAngle(const GapModel& model, std::size_t arc, std::size_t sighting) {
   return model.fit->arcAngles[arc][sighting];
-}
-
-void sightPerfectly(Sighting& sighting, const ZeroLine& line, const Circle& circle, double phi) {
-  const Direction<double> seen = line.observe(targetOnArc(circle.x, circle.y, circle.radius, phi));
-  sighting.a = Angle::fromRadians(seen.a);
-  sighting.e = Angle::fromRadians(seen.e);
 }
 
 /// Numbers the rows consecutively in their current order.
