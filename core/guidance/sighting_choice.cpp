@@ -1,10 +1,11 @@
 #include "core/guidance/sighting_choice.h"
 
 #include <algorithm>
+#include <set>
 #include <utility>
 #include <vector>
 
-#include "core/guidance/open_plan.h"
+#include "core/guidance/forecast.h"
 
 namespace alidade {
 
@@ -66,9 +67,8 @@ class Remaining {
   /// Index of a possible sighting or of the zero due before it; absent if none is left at its place and face.
   Index indexOf(const NextSighting& next) const {
     if (!next.turnsAxis) return m_isTurned ? Index() : place(*m_here, next.point, next.face);
-    if (!m_other || !place(*m_other, next.point, next.face)) return {};
-    const Index zeroBefore = zero(*m_other, false);
-    return zeroBefore ? zeroBefore : place(*m_other, next.point, next.face);
+    const Index there = place(*m_other, next.point, next.face), zeroBefore = zero(*m_other, false);
+    return there && zeroBefore ? zeroBefore : there;
   }
 
   bool canTurnAxis() const { return m_other.has_value(); }
@@ -110,6 +110,25 @@ void close(SightingChoice& choice, const Remaining& left, const ArcMeasurement& 
 }
 
 }  // namespace
+
+SightingPlan openPlan(const SightingProtocol& protocol) {
+  SightingPlan plan{.places = {}, .faces = {}};
+  std::set<int> faces, points;
+  plan.rows = 0;
+  for (const PlannedSighting& planned : sightingsInOrder(listedOrder(protocol))) {
+    if (planned.isZero) continue;
+    ++plan.rows;
+    faces.insert(planned.face);
+    points.insert(planned.point);
+  }
+  plan.faces.assign(faces.begin(), faces.end());
+  const std::vector<std::size_t> one(protocol.positions.size(), 0);
+  for (const auto& [place, radians] : nominalPlaces(protocol, one))
+    if (points.erase(place.second) > 0) plan.places.push_back({place.second, Angle::fromRadians(radians)});
+  plan.readsSlider = protocol.readsSlider;
+  plan.minutes = protocol.minutes;
+  return plan;
+}
 
 std::optional<SightingChoice> chooseSighting(const Measurement& measurement, const SightingProtocol& protocol,
                                              const ProtocolProgress& progress) {

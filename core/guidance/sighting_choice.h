@@ -6,9 +6,11 @@
 #include <vector>
 
 #include "core/diagnosis/next_sighting.h"
+#include "core/diagnosis/result/sighting_plan.h"
 #include "core/diagnosis/sightings_ahead.h"
 #include "core/session/measurement.h"
 #include "core/session/protocol_progress.h"
+#include "core/session/sighting_protocol.h"
 
 namespace alidade {
 
@@ -26,6 +28,10 @@ struct SightingChoice {
   std::vector<std::size_t> alternatives = {};  ///< indices of nearly as valuable sightings, at most two
   SessionSoFar soFar;
 };
+
+/// The plan of all places of a protocol with all faces of its rounds. `SightingPlan::rows`, to whose duration
+/// a stated drift refers, excludes the sightings that `openOrder` added.
+SightingPlan openPlan(const SightingProtocol& protocol);
 
 /// Most sightings of a session for which choices are made. The time of a choice grows with their square.
 inline constexpr std::size_t mostForChoice = 400;

@@ -1,7 +1,6 @@
 #include "core/simulation/adaptive_trial.h"
 
 #include <algorithm>
-#include <chrono>
 #include <mutex>
 #include <optional>
 #include <thread>
@@ -12,7 +11,7 @@
 #include "core/diagnosis/diagnose.h"
 #include "core/effects/catalogue.h"
 #include "core/effects/cause_ids.h"
-#include "core/guidance/open_plan.h"
+#include "core/guidance/sighting_choice.h"
 #include "core/simulation/protocol.h"
 #include "core/simulation/trial_score.h"
 #include "core/simulation/watched_session.h"
@@ -55,13 +54,13 @@ class Run {
  public:
   Run(const Protocol& protocol, const Truth& truth, std::uint64_t seed, bool isWatchedToTheEnd = false)
       : m_protocol(protocol),
-        m_plan(sightingPlanOf(protocol)),
+        m_plan(openPlan(templateOf(protocol))),
         m_session(protocol, truth, seed),
         m_isWatchedToTheEnd(isWatchedToTheEnd) {}
 
   WatchedRun inOrder() {
     for (const NextSighting& step : stepsOf(m_protocol)) {
-      take(step, minutesOf(step));
+      take(step);
       if (look(false) && !m_isWatchedToTheEnd && m_state->enough == Enough::Named) break;
     }
     return std::move(m_run);
@@ -69,17 +68,14 @@ class Run {
 
   WatchedRun byWorth() {
     const NextSighting first = stepsOf(m_protocol).front();
-    take(first, minutesOf(first));
+    take(first);
     while (look() && m_session.sightings() < m_plan.rows && !m_state->ranked.empty()) {
       if (!m_isWatchedToTheEnd && m_state->enough == Enough::Named && close(first)) break;
       if (!m_isWatchedToTheEnd && m_state->enough == Enough::WillNotHelp) break;
-      const NextSighting& next = m_state->ranked.front();
-      take(next, next.minutes);
+      take(m_state->ranked.front());
     }
     return std::move(m_run);
   }
-
-  double slowest() const { return m_slowest; }
 
  private:
   const Protocol& m_protocol;
@@ -90,21 +86,16 @@ class Run {
   std::optional<NextSighting> m_last;
   bool m_isWatchedToTheEnd, m_isClosed = false;
   std::size_t m_turns = 0;
-  double m_slowest = 0;
 
-  double minutesOf(const NextSighting& step) const {
+  void take(const NextSighting& step) {
     const bool begins = !m_last || m_last->axisDeg != step.axisDeg;
-    return alidade::minutesOf(m_plan.minutes, {.turnsAxis = m_last && begins,
-                                               .sightsZero = begins,
-                                               .plungesTelescope = m_last && m_last->face != step.face,
-                                               .drivesSlider = begins || m_last->point != step.point});
-  }
-
-  void take(const NextSighting& step, double minutes) {
-    if (m_last && m_last->axisDeg != step.axisDeg) ++m_turns;
+    m_run.minutes += minutesOf(m_plan.minutes, {.turnsAxis = m_last && begins,
+                                                .sightsZero = begins,
+                                                .plungesTelescope = m_last && m_last->face != step.face,
+                                                .drivesSlider = begins || m_last->point != step.point});
+    if (m_last && begins) ++m_turns;
     m_plan.canTurnAxis = m_turns + 1 < 2 * m_protocol.axes.size();  // as in `openOrder`
     m_session.sight(step.axisDeg, step.round, step.point, step.face);
-    m_run.minutes += minutes;
     ++m_run.sightings;
     m_last = step;
   }
@@ -113,10 +104,7 @@ class Run {
   bool look(bool ranks = true) {
     const std::optional<Measurement> measurement = m_session.measurement();
     if (!measurement) return false;
-    const auto start = std::chrono::steady_clock::now();
     m_state = sessionSoFar(*measurement, m_plan, ranks);
-    const std::chrono::duration<double> took = std::chrono::steady_clock::now() - start;
-    m_slowest = std::max(m_slowest, took.count());
     if (!m_state) return false;
     m_run.most = std::max(m_run.most, m_state->logEvidence);
     // A name may be withdrawn later; in a session with nothing to name, every name counts.
@@ -138,7 +126,7 @@ class Run {
     const auto again = std::ranges::find_if(m_state->ranked, [&](const NextSighting& next) {
       return !next.turnsAxis && next.point == first.point && next.face == m_last->face;
     });
-    if (again != m_state->ranked.end()) take(*again, again->minutes);
+    if (again != m_state->ranked.end()) take(*again);
     m_session.sightZero();
     ++m_run.sightings;
     m_run.minutes += minutesOfPointing;
@@ -146,17 +134,15 @@ class Run {
   }
 };
 
-Result<AdaptiveTrial> trialOf(const BlindTrialOptions& draw, std::uint64_t seed, double& slowest) {
-  const auto drawn = drawBlindTrial(draw, seed);
+Result<AdaptiveTrial> trialOf(const Protocol& protocol, const std::vector<std::string>& kinds,
+                              std::uint64_t seed) {
+  const auto drawn = drawBlindTrial({.protocol = protocol.name, .kinds = kinds}, seed);
   if (!drawn) return drawn.problem();
-  const Protocol& protocol = *protocolByName(draw.protocol);
   AdaptiveTrial trial;
   trial.truth = drawn->seal;
   trial.rows = stepsOf(protocol).size();
-  Run ordered(protocol, drawn->truth, seed), chosen(protocol, drawn->truth, seed);
-  trial.ofProtocol = ordered.inOrder();
-  trial.byWorth = chosen.byWorth();
-  slowest = std::max(slowest, chosen.slowest());
+  trial.ofProtocol = Run(protocol, drawn->truth, seed).inOrder();
+  trial.byWorth = Run(protocol, drawn->truth, seed).byWorth();
   for (WatchedRun* run : {&trial.ofProtocol, &trial.byWorth}) score(*run, trial.truth);
   if (const auto measurement = examine(drawn->session).measurement)
     if (const auto diagnosis = diagnose(*measurement))
@@ -164,26 +150,28 @@ Result<AdaptiveTrial> trialOf(const BlindTrialOptions& draw, std::uint64_t seed,
   return trial;
 }
 
-}  // namespace
-
-SightingPlan sightingPlanOf(const Protocol& protocol) {
-  return openPlan(templateOf(protocol));
+/// A session without a cause, watched to its end.
+WatchedRuns cleanRunsOf(const Protocol& protocol, std::uint64_t seed, bool readsInOrder) {
+  WatchedRuns runs;
+  if (const auto drawn = drawBlindTrial({.protocol = protocol.name, .kinds = {"none"}}, seed)) {
+    if (readsInOrder) runs.ofProtocol = Run(protocol, drawn->truth, seed, true).inOrder();
+    runs.byWorth = Run(protocol, drawn->truth, seed, true).byWorth();
+  }
+  return runs;
 }
 
-Result<AdaptiveTrials> adaptiveTrials(const AdaptiveTrialOptions& options, const BlindTrialOptions& draw,
+}  // namespace
+
+Result<AdaptiveTrials> adaptiveTrials(const AdaptiveTrialOptions& options, const Protocol& protocol,
                                       std::uint64_t seed) {
-  const Protocol* protocol = protocolByName(draw.protocol);
-  if (!protocol) return Problem{"give the protocol whose order is compared"};
-  if (protocol->circleShift != Angle()) return Problem{"a protocol that turns the circle has a fixed order"};
-  BlindTrialOptions one = draw, two = draw, unknown = draw, none = draw;
-  two.kinds = {"two_causes"};
-  unknown.kinds = {"unknown"};
-  none.kinds = {"none"};
-  if (one.kinds.empty())
-    for (const Effect* effect : soughtEffects()) one.kinds.emplace_back(effect->id);
-  const std::size_t named = options.count + options.two, sealed = named + options.unknown,
-                    all = sealed + options.clean;
-  std::vector<std::optional<Result<AdaptiveTrial>>> withCause(sealed);
+  if (protocol.circleShift != Angle()) return Problem{"a protocol that turns the circle has a fixed order"};
+  std::vector<std::string> effects;
+  for (const Effect* effect : soughtEffects()) effects.emplace_back(effect->id);
+  std::vector<std::vector<std::string>> kinds(options.count, effects);
+  kinds.insert(kinds.end(), options.two, {"two_causes"});
+  kinds.insert(kinds.end(), options.unknown, {"unknown"});
+  const std::size_t all = kinds.size() + options.clean;
+  std::vector<std::optional<Result<AdaptiveTrial>>> withCause(kinds.size());
   AdaptiveTrials trials;
   trials.clean.resize(options.clean);
   std::mutex reporting;
@@ -191,18 +179,11 @@ Result<AdaptiveTrials> adaptiveTrials(const AdaptiveTrialOptions& options, const
   const std::size_t threads =
       options.threads > 0 ? options.threads : std::max(1u, std::thread::hardware_concurrency());
   doEach(std::clamp<std::size_t>(all, 1, threads), all, [&](std::size_t i) {
-    double slowest = 0;
-    if (i < sealed) {
-      withCause[i] = trialOf(i < options.count ? one : i < named ? two : unknown, seed + i, slowest);
-    } else if (const auto drawn = drawBlindTrial(none, seed + i)) {
-      WatchedRuns& runs = trials.clean[i - sealed];
-      if (options.readsCleanInOrder) runs.ofProtocol = Run(*protocol, drawn->truth, seed + i, true).inOrder();
-      Run chosen(*protocol, drawn->truth, seed + i, true);
-      runs.byWorth = chosen.byWorth();
-      slowest = chosen.slowest();
-    }
+    if (i < kinds.size())
+      withCause[i] = trialOf(protocol, kinds[i], seed + i);
+    else
+      trials.clean[i - kinds.size()] = cleanRunsOf(protocol, seed + i, options.readsCleanInOrder);
     const std::scoped_lock lock(reporting);
-    trials.slowest = std::max(trials.slowest, slowest);
     if (options.progress) options.progress(++done);
   });
   for (auto& trial : withCause) {

@@ -63,14 +63,10 @@ struct AdaptiveTrials {
   /// Truths with one cause, then those with two, then those with an uncatalogued effect.
   std::vector<AdaptiveTrial> withCause;
   std::vector<WatchedRuns> clean;
-  double slowest = 0;  ///< the longest time to weigh the readings and choose the next sighting, s
 };
 
-/// The plan of a protocol: its places, and both faces if it uses them.
-SightingPlan sightingPlanOf(const Protocol& protocol);
-
-/// Trial i has the seed `seed` + i. Fails if the protocol is unknown or turns its circle.
-Result<AdaptiveTrials> adaptiveTrials(const AdaptiveTrialOptions& options, const BlindTrialOptions& draw,
+/// Trial i has the seed `seed` + i. Fails if the protocol turns its circle or shows none of the truths.
+Result<AdaptiveTrials> adaptiveTrials(const AdaptiveTrialOptions& options, const Protocol& protocol,
                                       std::uint64_t seed);
 
 }  // namespace alidade

@@ -27,7 +27,7 @@ Result<std::string> adaptiveTrialsOf(const TrialRequest& request) {
                                      .readsCleanInOrder = request.csv,
                                      .threads = request.threads,
                                      .progress = report};
-  const auto trials = adaptiveTrials(options, {.protocol = request.protocol}, request.seed);
+  const auto trials = adaptiveTrials(options, *protocolByName(request.protocol), request.seed);
   if (!trials) return trials.problem();
   if (request.csv) return adaptiveTrialCsv(*trials);
   return request.json ? adaptiveTrialJson(*trials) : adaptiveTrialText(*trials);

@@ -8,7 +8,8 @@
 
 #include "core/base/statistics.h"
 #include "core/diagnosis/planned_uncertainty.h"
-#include "core/simulation/adaptive_trial.h"
+#include "core/guidance/sighting_choice.h"
+#include "core/simulation/protocol_template.h"
 #include "core/simulation/simulate.h"
 #include "core/simulation/watched_session.h"
 
@@ -35,14 +36,14 @@ Truth withEffect(ErrorTerm term, double value) {
 
 TEST(NextSighting, IsInTheOtherFaceIfOnlyThatTellsTheCollimation) {
   const Truth truth = withEffect(ErrorTerm::Collimation, 12);
-  const auto state = sessionSoFar(*readInFaceOne(truth).measurement(), sightingPlanOf(twoFace()));
+  const auto state = sessionSoFar(*readInFaceOne(truth).measurement(), openPlan(templateOf(twoFace())));
   ASSERT_TRUE(state && !state->ranked.empty());
   EXPECT_EQ(state->ranked.front().face, 2);
   EXPECT_TRUE(state->named.empty());
 }
 
 TEST(NextSighting, CostsATurnOfTheAxisAndItsZero) {
-  SightingPlan plan = sightingPlanOf(twoFace());
+  SightingPlan plan = openPlan(templateOf(twoFace()));
   plan.minutes = {.turningAxis = 100, .plungingTelescope = 10, .drivingSlider = 1};
   const auto state = sessionSoFar(*readInFaceOne(drawTruth(7)).measurement(), plan);
   ASSERT_TRUE(state);
@@ -60,7 +61,7 @@ TEST(NextSighting, NamesTheCauseThatIsThere) {
   const Truth truth = withEffect(ErrorTerm::VerticalIndex, 15);
   WatchedSession session = readInFaceOne(truth);
   for (int point = twoFace().points; point >= 1; --point) session.sight(180, 3, point, 2);
-  const auto state = sessionSoFar(*session.measurement(), sightingPlanOf(twoFace()));
+  const auto state = sessionSoFar(*session.measurement(), openPlan(templateOf(twoFace())));
   ASSERT_TRUE(state);
   EXPECT_EQ(state->enough, Enough::Named);
   EXPECT_THAT(state->named, testing::Contains("vertical_index"));
@@ -73,7 +74,7 @@ TEST(NextSighting, NamesTwoCausesThatAreThere) {
   for (const int axisDeg : {0, 180})
     for (int point = 1; point <= twoFace().points; ++point)
       for (const int face : {1, 2}) session.sight(axisDeg, 1, point, face);
-  const auto state = sessionSoFar(*session.measurement(), sightingPlanOf(twoFace()));
+  const auto state = sessionSoFar(*session.measurement(), openPlan(templateOf(twoFace())));
   ASSERT_TRUE(state);
   EXPECT_EQ(state->enough, Enough::Named);
   const auto holds = [](const std::vector<std::string>& group, const std::string& cause) {
@@ -91,7 +92,7 @@ TEST(NextSighting, IsNotEnoughWhileAFurtherCauseMayHide) {
   bool wasNamedBefore = false;
   for (int point = 1; point <= twoFace().points; ++point) {
     for (const int face : {1, 2}) session.sight(0, 1, point, face);
-    const auto state = sessionSoFar(*session.measurement(), sightingPlanOf(twoFace()));
+    const auto state = sessionSoFar(*session.measurement(), openPlan(templateOf(twoFace())));
     ASSERT_TRUE(state);
     EXPECT_TRUE(state->alsoNamed.empty()) << point;
     if (state->named.empty()) continue;
@@ -105,7 +106,7 @@ TEST(NextSighting, IsCertainOfAVerdictOnlyBeyondTheRangeOfAllTimes) {
   const auto decided = [](double tolerance) {
     Measurement measurement = *readInFaceOne(drawTruth(7)).measurement();
     measurement.tolerance = tolerance;
-    return *sessionSoFar(measurement, sightingPlanOf(twoFace()));
+    return *sessionSoFar(measurement, openPlan(templateOf(twoFace())));
   };
   const SessionSoFar state = decided(1);
   const double size = std::abs(*state.intersection);
@@ -116,7 +117,7 @@ TEST(NextSighting, IsCertainOfAVerdictOnlyBeyondTheRangeOfAllTimes) {
 
 /// A place may have another coordinate than planned for its number; its next sighting is at this coordinate.
 TEST(NextSighting, FindsNothingWhereThePlacesLieElsewhereThanPlanned) {
-  SightingPlan plan = sightingPlanOf(twoFace());
+  SightingPlan plan = openPlan(templateOf(twoFace()));
   const Measurement measurement = *readInFaceOne(drawTruth(7)).measurement();
   const auto planned = sessionSoFar(measurement, plan);
   for (SightingPlace& place : plan.places) place.s = place.s + Angle::fromDegrees(9);
@@ -131,7 +132,7 @@ TEST(NextSighting, CountsNoKnownSizeAsEvidence) {
   WatchedSession session = readInFaceOne(truth);
   for (int point = twoFace().points; point >= 1; --point) session.sight(180, 2, point, 2);
   Measurement measurement = *session.measurement();
-  const SightingPlan plan = sightingPlanOf(twoFace());
+  const SightingPlan plan = openPlan(templateOf(twoFace()));
   EXPECT_GT(sessionSoFar(measurement, plan)->logEvidence, 10);
   KnownNumber known;
   known.effect = "vertical_index";
@@ -152,7 +153,7 @@ TEST(NextSighting, HasTheUncertaintyThatAPlanHas) {
     const auto session = simulate(protocol, drawTruth(7), 7);
     ASSERT_TRUE(session);
     const Measurement measurement = *examine(*session).measurement;
-    const auto state = sessionSoFar(measurement, sightingPlanOf(protocol), false);
+    const auto state = sessionSoFar(measurement, openPlan(templateOf(protocol)), false);
     const auto planned = plannedUncertainty(measurement, 1);
     ASSERT_TRUE(state && state->sigma && planned) << protocol.name;
     const double factor = coverageFactor(measurement.coverage, DegreesOfFreedom::infinite());
@@ -166,7 +167,7 @@ TEST(NextSighting, NamesAnEffectOfNoCatalogueAsAForm) {
   lobed.harmonic = {.order = 6, .cosine = 0.08, .sine = -0.06};
   late.foreign = {ForeignEffect::Kind::Settling, 25, 0.12};
   for (const Truth& truth : {warped, lobed, late}) {
-    const auto state = sessionSoFar(*readInFaceOne(truth).measurement(), sightingPlanOf(twoFace()));
+    const auto state = sessionSoFar(*readInFaceOne(truth).measurement(), openPlan(templateOf(twoFace())));
     ASSERT_TRUE(state);
     EXPECT_THAT(state->named, testing::ElementsAre("form")) << state->causes.front().cause;
   }
@@ -179,7 +180,7 @@ TEST(NextSighting, NamesNothingWhileNoReadingIsLeftToCheckIt) {
   int evident = 0;
   for (int point = 1; point <= 8; ++point) {
     for (const int face : {1, 2}) session.sight(0, 1, point, face);
-    const auto state = sessionSoFar(*session.measurement(), sightingPlanOf(twoFace()));
+    const auto state = sessionSoFar(*session.measurement(), openPlan(templateOf(twoFace())));
     ASSERT_TRUE(state);
     const bool isEarly = point <= 4;
     EXPECT_TRUE(!isEarly || state->named.empty()) << point;
@@ -194,7 +195,7 @@ TEST(NextSighting, NeverNamesNoise) {
   Measurement measurement = *readInFaceOne(drawTruth(7)).measurement();
   measurement.sigmaHorizontal = measurement.sigmaHorizontal * 0.2;
   measurement.sigmaVertical = measurement.sigmaVertical * 0.2;
-  const auto state = sessionSoFar(measurement, sightingPlanOf(twoFace()));
+  const auto state = sessionSoFar(measurement, openPlan(templateOf(twoFace())));
   ASSERT_TRUE(state);
   EXPECT_EQ(state->causes.front().cause, "underestimated_noise");
   EXPECT_GT(state->logEvidence, state->logEvidenceNeeded);

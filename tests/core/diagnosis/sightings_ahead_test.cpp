@@ -8,7 +8,8 @@
 #include <string_view>
 
 #include "core/effects/catalogue.h"
-#include "core/simulation/adaptive_trial.h"
+#include "core/guidance/sighting_choice.h"
+#include "core/simulation/protocol_template.h"
 #include "core/simulation/watched_session.h"
 
 namespace alidade {
@@ -29,7 +30,7 @@ WatchedSession begun(const Truth& truth, std::uint64_t seed) {
 TEST(SightingsAhead, ComeToTheSameUncertaintyWhenTheyAreTaken) {
   const Truth truth = drawTruth(3);
   WatchedSession session = begun(truth, 3);
-  const SightingPlan plan = sightingPlanOf(watched());
+  const SightingPlan plan = openPlan(templateOf(watched()));
   for (const double wanted : {0.6, 0.3}) {
     const SightingsAhead ahead = sightingsFor(wanted, *session.measurement(), plan);
     ASSERT_TRUE(ahead.isReached) << wanted;
@@ -53,7 +54,7 @@ TEST(SightingsAhead, AreFewerAndQuickerThanTheOrderOfTheProtocol) {
   for (const int axisDeg : {0, 180})
     for (int point = 1; point <= watched().points; ++point)
       for (const int face : {1, 2}) whole.sight(axisDeg, 1, point, face);
-  const SightingPlan plan = sightingPlanOf(watched());
+  const SightingPlan plan = openPlan(templateOf(watched()));
   const double reached = 1.96 * *sessionSoFar(*whole.measurement(), plan, false)->sigma;
   const SightingsAhead ahead = sightingsFor(reached, *begun(truth, 3).measurement(), plan);
   ASSERT_TRUE(ahead.isReached);
@@ -62,7 +63,7 @@ TEST(SightingsAhead, AreFewerAndQuickerThanTheOrderOfTheProtocol) {
 
 TEST(SightingsAhead, SayWhatIsNotReached) {
   const WatchedSession session = begun(drawTruth(3), 3);
-  SightingPlan plan = sightingPlanOf(watched());
+  SightingPlan plan = openPlan(templateOf(watched()));
   const SightingsAhead few = sightingsFor(1e-4, *session.measurement(), plan, 12);
   EXPECT_FALSE(few.isReached);
   EXPECT_EQ(few.sightings.size(), 12u);
@@ -85,7 +86,7 @@ void know(Measurement& measurement, std::string_view id) {
 /// are then others: 2 %.
 TEST(SightingsAhead, SayWhatWouldReachFurther) {
   const WatchedSession session = begun(drawTruth(3), 3);
-  const SightingPlan plan = sightingPlanOf(watched());
+  const SightingPlan plan = openPlan(templateOf(watched()));
   const SightingsAhead ahead = sightingsFor(1e-4, *session.measurement(), plan, 20);
   ASSERT_GT(ahead.instead.size(), 1u);
   EXPECT_EQ(ahead.instead.front().expanded, *ahead.expanded);
@@ -103,7 +104,7 @@ TEST(SightingsAhead, StopWhenAsked) {
   std::stop_source stop;
   stop.request_stop();
   const WatchedSession session = begun(drawTruth(3), 3);
-  EXPECT_LE(sightingsFor(1e-4, *session.measurement(), sightingPlanOf(watched()), 150, stop.get_token())
+  EXPECT_LE(sightingsFor(1e-4, *session.measurement(), openPlan(templateOf(watched())), 150, stop.get_token())
                 .sightings.size(),
             1u);
 }

@@ -8,7 +8,8 @@ namespace {
 /// Of 120 such truths (seeds from 5120) none was named wrongly in the order of the protocol and 3 by worth,
 /// where 112 and 59 were before forms were weighed. Of 24 at 3 of 120, more than 2 are less likely than 3 %.
 TEST(AdaptiveTrials, SeldomNameAnEffectOfTheCatalogueWhereAnotherIs) {
-  const auto trials = adaptiveTrials({.count = 0, .unknown = 24, .clean = 2}, {.protocol = "two-face"}, 5240);
+  const auto trials =
+      adaptiveTrials({.count = 0, .unknown = 24, .clean = 2}, *protocolByName("two-face"), 5240);
   ASSERT_TRUE(trials);
   ASSERT_EQ(trials->withCause.size(), 24u);
   int wrongInOrder = 0, wrongByWorth = 0, rightByWorth = 0;
@@ -26,7 +27,7 @@ TEST(AdaptiveTrials, SeldomNameAnEffectOfTheCatalogueWhereAnotherIs) {
 /// Of 60 truths of two effects (seeds from 5060) 27 were named in full by worth, and none of 120 of one
 /// effect got a second name, in either way.
 TEST(AdaptiveTrials, NameTwoEffectsAndNoSecondWhereThereIsOne) {
-  const auto trials = adaptiveTrials({.count = 10, .two = 12}, {.protocol = "two-face"}, 5400);
+  const auto trials = adaptiveTrials({.count = 10, .two = 12}, *protocolByName("two-face"), 5400);
   ASSERT_TRUE(trials);
   ASSERT_EQ(trials->withCause.size(), 22u);
   int both = 0;
@@ -44,7 +45,7 @@ TEST(AdaptiveTrials, NameTwoEffectsAndNoSecondWhereThereIsOne) {
 
 TEST(AdaptiveTrials, LookAtBothWaysOfACleanSessionToItsEnd) {
   const auto trials =
-      adaptiveTrials({.count = 0, .clean = 1, .readsCleanInOrder = true}, {.protocol = "two-face"}, 5300);
+      adaptiveTrials({.count = 0, .clean = 1, .readsCleanInOrder = true}, *protocolByName("two-face"), 5300);
   ASSERT_TRUE(trials);
   const WatchedRuns& runs = trials->clean.front();
   for (const WatchedRun* run : {&runs.ofProtocol, &runs.byWorth}) {

@@ -4,7 +4,8 @@
 
 #include "core/diagnosis/forms/form_families.h"
 #include "core/effects/catalogue.h"
-#include "core/simulation/adaptive_trial.h"
+#include "core/guidance/sighting_choice.h"
+#include "core/simulation/protocol_template.h"
 #include "core/simulation/watched_session.h"
 
 namespace alidade {
@@ -51,7 +52,7 @@ TEST(PossibleForms, ChangeTheReadingsAsTheSimulatorDoes) {
   constexpr double cosine = 0.02, sine = -0.015;  // mm
   const Measurement without = readWith({}),
                     with = readWith(FormHarmonic{.order = 5, .cosine = cosine, .sine = sine});
-  const SightingPlan plan = sightingPlanOf(*protocolByName("full"));
+  const SightingPlan plan = openPlan(templateOf(*protocolByName("full")));
   PossibleSightings session = possibleSightings(without, plan);
   const std::vector<Circle> circles(session.measurement.arcs.size(), {0, 0, without.nominalRadius});
   sightPossible(session, plan, circles);
