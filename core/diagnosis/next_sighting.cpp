@@ -8,7 +8,6 @@
 #include "core/diagnosis/evidence/gain.h"
 #include "core/diagnosis/next_sighting/all_possible.h"
 #include "core/diagnosis/next_sighting/weighed.h"
-#include "core/diagnosis/next_sighting/with_cause.h"
 #include "core/effects/cause_ids.h"
 
 namespace alidade {
@@ -16,13 +15,12 @@ namespace alidade {
 namespace {
 
 /// Returns the most probable hypotheses; the others are negligible.
-std::vector<Weighed> likely(const std::vector<Weighed>& all) {
+std::vector<Weighed> likely(std::vector<Weighed> all) {
   constexpr std::size_t most = 14;
   constexpr double least = 5e-4;
-  std::vector<Weighed> list;
-  for (const Weighed& weighed : all)
-    if (list.size() < most && weighed.probability >= least) list.push_back(weighed);
-  return list;
+  all.resize(std::min(all.size(), most));
+  std::erase_if(all, [](const Weighed& weighed) { return weighed.probability < least; });
+  return all;
 }
 
 /// Adds the value of a sighting for separating the causes.
@@ -43,15 +41,14 @@ void addCauses(NextSighting& next, const std::vector<Weighed>& causes,
     }
 }
 
-/// `rows` are the possible sightings in the equations of `causes`.
-std::vector<NextSighting> ranked(const PossibleSightings& session, const std::vector<SightingRows>& rows,
-                                 const SightingEquations& equations, const WeighedCauses& causes,
-                                 const IntersectionSoFar& every) {
+/// `equations` are those without a certain cause in the model.
+std::vector<NextSighting> ranked(const PossibleSightings& session, const SightingEquations& equations,
+                                 const WeighedCauses& causes, const IntersectionSoFar& every) {
   const std::vector<Weighed> some = likely(causes.all());
   std::vector<NextSighting> list;
   for (std::size_t i = 0; i < session.possible.size(); ++i) {
     NextSighting next = session.possible[i].next;
-    addCauses(next, some, WeighedCauses::Predictor(causes, rows[i]));
+    addCauses(next, some, WeighedCauses::Predictor(causes, causes.equations().possible[i]));
     next.ofUncertainty = every.logReductionBy(equations.possible[i]);
     list.push_back(std::move(next));
   }
@@ -119,49 +116,41 @@ bool leavesOnlyNoise(const WeighedCauses& causes, const Weighed& cause) {
   return chiSquareUpperTail(causes.chiSquareAfter(cause), DegreesOfFreedom(left)).value_or(1) > noMore;
 }
 
-/// The most probable cause that may be one of two; null if there is none.
-const Weighed* likeliestOfTwo(const WeighedCauses& causes) {
-  const auto found = std::ranges::find_if(causes.all(), mayBeOfTwo);
-  return found == causes.all().end() ? nullptr : &*found;
-}
-
 /// The group of a second cause that is certain given the first. The first must also be certain given the
 /// second, otherwise the second may only mimic two other causes. Empty without such a cause.
 std::vector<std::string> secondGroup(const SessionSoFar& state, const WeighedCauses& causes,
-                                     const WeighedCauses& further, const SightingEquations& extended,
-                                     const SightingEquations& equations) {
+                                     const WeighedCauses& further) {
   const Weighed& second = further.all().front();
   if (!mayBeOfTwo(second) || further.logEvidence() < state.logEvidenceNeeded ||
       !leavesOnlyNoise(further, second))
     return {};
-  std::vector<std::string> group = inseparableFrom(second, extended);
+  std::vector<std::string> group = inseparableFrom(second, further.equations());
   if (!isCertain(group, state.further)) return {};
-  const auto alone = std::ranges::find(causes.all(), second.cause, &Weighed::cause);
-  if (alone == causes.all().end() || group == state.certain) return group;
-  const SightingEquations given = withCause(equations, *alone, group);
+  if (group == state.certain) return group;
+  const Weighed& alone = *std::ranges::find(causes.all(), second.cause, &Weighed::cause);
+  const SightingEquations given = withCause(causes.equations(), alone, group);
   if (!isCertain(state.certain, listOf(WeighedCauses(given)))) group.clear();
   return group;
 }
 
 /// Weighs further causes in addition to the likeliest one. If the likeliest is certain, names it or both
 /// causes and returns true. Larger noise is never named: an uncatalogued effect may look the same.
-bool weighFurther(SessionSoFar& state, const WeighedCauses& causes, const SightingEquations& equations,
-                  const auto& rank) {
+bool weighFurther(SessionSoFar& state, const WeighedCauses& causes, const auto& rank) {
   // With a smaller limit, a session with one cause would need many more sightings.
   constexpr double leastLeft = 0.6;
-  const Weighed* first = likeliestOfTwo(causes);
-  if (!first || !isEvident(state)) return false;
-  std::vector<std::string> group = inseparableFrom(*first, equations);
-  const SightingEquations extended = withCause(equations, *first, group);
+  const auto first = std::ranges::find_if(causes.all(), mayBeOfTwo);
+  if (first == causes.all().end() || !isEvident(state)) return false;
+  std::vector<std::string> group = inseparableFrom(*first, causes.equations());
+  const SightingEquations extended = withCause(causes.equations(), *first, group);
   const WeighedCauses further(extended);
   state.causes = listOf(causes, *first, further);
   if (!isCertain(group, state.causes)) return false;
   state.certain = std::move(group);
   state.further = listOf(further);
   state.isAlone = further.logEvidence() <= std::log(leastLeft);
-  state.alsoNamed = secondGroup(state, causes, further, extended, equations);
+  state.alsoNamed = secondGroup(state, causes, further);
   if (!state.alsoNamed.empty() || leavesOnlyNoise(causes, *first)) state.named = state.certain;
-  rank(extended.possible, further);
+  rank(further);
   return true;
 }
 
@@ -172,13 +161,10 @@ bool isFormCertain(const SessionSoFar& state, const WeighedCauses& causes) {
          leavesOnlyNoise(causes, *form);
 }
 
-bool isAnyWorthIt(const std::vector<NextSighting>& ranked) {
-  constexpr double leastWorth = 0.001;
-  return std::ranges::any_of(ranked, [&](const NextSighting& next) { return next.worth() > leastWorth; });
-}
-
 Enough enoughOf(const SessionSoFar& state, const Measurement& measurement, bool ranks) {
-  const bool isAnyWorth = !ranks || isAnyWorthIt(state.ranked);
+  constexpr double leastWorth = 0.001;
+  const auto isWorthIt = [](const NextSighting& next) { return next.worth() > leastWorth; };
+  const bool isAnyWorth = !ranks || std::ranges::any_of(state.ranked, isWorthIt);
   const bool isComplete = state.isAlone || !state.alsoNamed.empty() || !isAnyWorth;
   if (!state.named.empty() && isComplete) return Enough::Named;
   if (isVerdictCertain(measurement, state)) return Enough::VerdictCertain;
@@ -212,12 +198,12 @@ std::optional<SessionSoFar> sessionSoFar(const Measurement& measurement, const S
     state.halfWidth = halfWidthAtAllTimes(every.sigma(), 1 - measurement.coverage);
   }
   if (!std::isfinite(state.logEvidence)) return std::nullopt;
-  const auto rank = [&](const std::vector<SightingRows>& rows, const WeighedCauses& weighed) {
-    if (ranks) state.ranked = ranked(session, rows, equations, weighed, every);
+  const auto rank = [&](const WeighedCauses& weighed) {
+    if (ranks) state.ranked = ranked(session, equations, weighed, every);
   };
-  if (!weighFurther(state, causes, equations, rank)) {
+  if (!weighFurther(state, causes, rank)) {
     if (isFormCertain(state, causes)) state.named = {formId};
-    rank(equations.possible, causes);
+    rank(causes);
   }
   state.enough = enoughOf(state, measurement, ranks);
   state.isWithin =

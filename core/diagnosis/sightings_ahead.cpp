@@ -18,30 +18,23 @@ namespace {
 /// Returns the measurement with the sighting `chosen` added; its reading follows from the arcs fitted so far.
 Measurement after(const PossibleSighting& chosen, const Measurement& measurement,
                   const PossibleSightings& possible) {
-  const std::size_t index = chosen.arc;
-  const NextSighting& next = chosen.next;
-  const ArcMeasurement& arc = possible.measurement.arcs[index];
-  Sighting taken = *std::find_if(arc.sightings.begin() + static_cast<std::ptrdiff_t>(possible.taken[index]),
-                                 arc.sightings.end(), [&](const Sighting& sighting) {
-                                   return !sighting.isZero && sighting.point == next.point &&
-                                          sighting.round == next.round && sighting.face == next.face;
-                                 });
+  const ArcMeasurement& arc = possible.measurement.arcs[chosen.arc];
+  Sighting taken = arc.sightings[chosen.sighting];
   taken.elapsed = 1;
-  if (!next.turnsAxis) {  // `possible` refers directions to the first zero, `measurement` to the arc's zero
-    const ArcMeasurement& own = measurement.arcs[index];
-    taken.a = taken.a - wrapped(own.zeroHorizontal - arc.zeroHorizontal);
-    taken.e = taken.e - (own.zeroElevation - arc.zeroElevation);
-  }
   Measurement longer = measurement;
   countElapsedFrom(longer, longer.rows + 1);
   ++longer.rows;
-  if (next.turnsAxis) {
-    longer.arcs.push_back(arc);
-    longer.arcs.back().sightings.clear();
-    for (SightedZero& zero : longer.arcs.back().zeroSightings) zero.elapsed = 1;
-    longer.arcs.back().zero.elapsed = 1;
+  if (chosen.next.turnsAxis) {
+    ArcMeasurement& turned = longer.arcs.emplace_back(arc);
+    turned.sightings.clear();
+    for (SightedZero& zero : turned.zeroSightings) zero.elapsed = 1;
+    turned.zero.elapsed = 1;
+  } else {  // `possible` refers directions to the first zero, `measurement` to that of the arc
+    const ArcMeasurement& own = measurement.arcs[chosen.arc];
+    taken.a = taken.a - wrapped(own.zeroHorizontal - arc.zeroHorizontal);
+    taken.e = taken.e - (own.zeroElevation - arc.zeroElevation);
   }
-  longer.arcs[index].sightings.push_back(taken);
+  longer.arcs[chosen.arc].sightings.push_back(taken);
   return longer;
 }
 
@@ -87,16 +80,13 @@ class Path {
 
   /// Returns U for each effect whose known size reduces U by a tenth or more.
   std::vector<AttainableUncertainty> withKnownEffects() const {
-    PossibleSightings possible;
-    const SightingEquations equations = sightingEquations(m_measurement, m_plan, possible, true);
-    const IntersectionSoFar every(equations);
     std::vector<AttainableUncertainty> list;
-    for (const Hypothesis& hypothesis : equations.hypotheses) {
-      if (hypothesis.first >= equations.effectColumns || !hypothesis.widths) continue;
-      const double share = every.sigmaKnowing(hypothesis) / every.sigma();
+    for (const Hypothesis& effect : m_equations.hypotheses) {
+      if (!effect.widths) continue;
+      const double share = m_every->sigmaKnowing(effect) / m_every->sigma();
       if (share <= worthwhileShare)
         list.push_back(
-            {.measures = {}, .known = std::string(hypothesis.cause), .expanded = share * *m_ahead.expanded});
+            {.measures = {}, .known = std::string(effect.cause), .expanded = share * *m_ahead.expanded});
     }
     return list;
   }
@@ -107,15 +97,18 @@ class Path {
   std::stop_token m_stop;
   Measurement m_measurement;
   SightingsAhead m_ahead;
-  PossibleSightings m_possible;  ///< with `ofUncertainty` filled in
+  PossibleSightings m_possible;   ///< with `ofUncertainty` filled in
+  SightingEquations m_equations;  ///< with effects as the only hypotheses
+  std::optional<IntersectionSoFar> m_every;
 
   void look() {
-    const SightingEquations equations = sightingEquations(m_measurement, m_plan, m_possible, true);
-    const IntersectionSoFar every(equations);
+    m_equations = sightingEquations(m_measurement, m_plan, m_possible, true);
+    m_every.emplace(m_equations);
     for (std::size_t i = 0; i < m_possible.possible.size(); ++i)
-      m_possible.possible[i].next.ofUncertainty = every.logReductionBy(equations.possible[i]);
+      m_possible.possible[i].next.ofUncertainty = m_every->logReductionBy(m_equations.possible[i]);
     if (!hasBothAxes(m_measurement)) return;
-    m_ahead.expanded = coverageFactor(m_measurement.coverage, DegreesOfFreedom::infinite()) * every.sigma();
+    m_ahead.expanded =
+        coverageFactor(m_measurement.coverage, DegreesOfFreedom::infinite()) * m_every->sigma();
     m_ahead.isReached = *m_ahead.expanded <= m_uncertainty;
   }
 };

@@ -10,53 +10,14 @@ namespace alidade {
 
 using Eigen::Index, Eigen::MatrixXd, Eigen::VectorXd;
 
-MatrixXd IntersectionSoFar::sideBySide(const SightingRows& rows, Index effectColumns) {
-  MatrixXd all(rows.rows(), rows.unknowns.cols() + effectColumns);
+namespace {
+
+/// The columns of the unknowns and of the effects, side by side.
+MatrixXd withEffects(const SightingRows& rows, Index effectColumns) {
+  MatrixXd all(rows.unknowns.rows(), rows.unknowns.cols() + effectColumns);
   all << rows.unknowns, rows.causes.leftCols(effectColumns);
   return all;
 }
-
-IntersectionSoFar::IntersectionSoFar(const SightingEquations& equations)
-    : m_effectColumns(equations.effectColumns) {
-  const MatrixXd rows = sideBySide(equations.taken, m_effectColumns);
-  const Index unknowns = equations.priorWeights.size();
-  VectorXd weights = VectorXd::Ones(rows.cols()), intersection = VectorXd::Zero(rows.cols()),
-           right = rows.transpose() * equations.residual;
-  weights.head(unknowns) = equations.priorWeights;
-  constexpr double held = 1e6;  // weight that leaves a column at 0
-  for (const Hypothesis& hypothesis : equations.hypotheses) {
-    const Index sized = !hypothesis.widths ? 0 : hypothesis.isBent ? 2 : hypothesis.count;
-    if (hypothesis.first < m_effectColumns)
-      weights.segment(unknowns + hypothesis.first + sized, hypothesis.count - sized).setConstant(held);
-  }
-  intersection.head(unknowns) = equations.intersection;
-  right.head(unknowns) += equations.priorWeights.cwiseProduct(equations.priorResiduals);
-  MatrixXd normal = rows.transpose() * rows;
-  normal.diagonal() += weights.cwiseAbs2();
-  m_normal.compute(normal);
-  m_gain = m_normal.solve(intersection);
-  m_value = equations.intersectionAt + m_gain.dot(right);
-  m_variance = m_gain.dot(intersection);
-}
-
-double IntersectionSoFar::sigmaKnowing(const Hypothesis& effect) const {
-  const Index size = m_gain.size(), first = size - m_effectColumns + effect.first;
-  const MatrixXd covariance = m_normal.solve(MatrixXd::Identity(size, size).middleCols(first, effect.count))
-                                  .middleRows(first, effect.count);
-  const VectorXd own = m_gain.segment(first, effect.count);
-  return std::sqrt(std::max(m_variance - own.dot(covariance.ldlt().solve(own)), 0.0));
-}
-
-double IntersectionSoFar::logReductionBy(const SightingRows& rows) const {
-  const MatrixXd all = sideBySide(rows, m_effectColumns);
-  const MatrixXd half = m_normal.matrixL().solve(all.transpose());
-  MatrixXd covariance = half.transpose() * half;
-  covariance.diagonal().array() += 1;
-  const VectorXd shift = covariance.llt().matrixL().solve(all * m_gain);
-  return -std::log1p(-std::min(shift.squaredNorm() / m_variance, 1 - 1e-12)) / 2;
-}
-
-namespace {
 
 /// Gram matrix of all columns of effects in all sightings, taken and possible, with the unknowns eliminated.
 MatrixXd gramOfAll(const SightingEquations& equations) {
@@ -76,6 +37,47 @@ MatrixXd gramOfAll(const SightingEquations& equations) {
 }
 
 }  // namespace
+
+IntersectionSoFar::IntersectionSoFar(const SightingEquations& equations)
+    : m_effectColumns(equations.effectColumns) {
+  constexpr double held = 1e6;  // weight that leaves a column at 0
+  VectorXd weights = VectorXd::Ones(m_effectColumns);
+  for (const Hypothesis& hypothesis : equations.hypotheses) {
+    const Index sized = !hypothesis.widths ? 0 : hypothesis.isBent ? 2 : hypothesis.count;
+    if (hypothesis.first < m_effectColumns)
+      weights.segment(hypothesis.first + sized, hypothesis.count - sized).setConstant(held);
+  }
+  SightingEquations every{.taken = {withEffects(equations.taken, m_effectColumns), {}},
+                          .residual = equations.residual,
+                          .possible = {},
+                          .priorWeights = equations.priorWeights,
+                          .priorResiduals = equations.priorResiduals,
+                          .intersection = equations.intersection,
+                          .hypotheses = {}};
+  every.appendPriors(weights);
+  const NormalEquations normal = normalEquationsOf(every);
+  m_normal.compute(normal.matrix);
+  m_gain = m_normal.solve(every.intersection);
+  m_value = equations.intersectionAt + m_gain.dot(normal.right);
+  m_variance = m_gain.dot(every.intersection);
+}
+
+double IntersectionSoFar::sigmaKnowing(const Hypothesis& effect) const {
+  const Index size = m_gain.size(), first = size - m_effectColumns + effect.first;
+  const MatrixXd covariance = m_normal.solve(MatrixXd::Identity(size, size).middleCols(first, effect.count))
+                                  .middleRows(first, effect.count);
+  const VectorXd own = m_gain.segment(first, effect.count);
+  return std::sqrt(std::max(m_variance - own.dot(covariance.ldlt().solve(own)), 0.0));
+}
+
+double IntersectionSoFar::logReductionBy(const SightingRows& rows) const {
+  const MatrixXd all = withEffects(rows, m_effectColumns);
+  const MatrixXd half = m_normal.matrixL().solve(all.transpose());
+  MatrixXd covariance = half.transpose() * half;
+  covariance.diagonal().array() += 1;
+  const VectorXd shift = covariance.llt().matrixL().solve(all * m_gain);
+  return -std::log1p(-std::min(shift.squaredNorm() / m_variance, 1 - 1e-12)) / 2;
+}
 
 std::vector<std::string> inseparableFrom(const Weighed& cause, const SightingEquations& equations) {
   std::vector<std::string> group{std::string(cause.cause)};

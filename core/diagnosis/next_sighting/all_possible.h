@@ -27,8 +27,6 @@ class IntersectionSoFar {
   Eigen::LLT<Eigen::MatrixXd> m_normal;
   Eigen::VectorXd m_gain;  ///< covariance of the parameters with Δd
   double m_value = 0, m_variance = 0;
-
-  static Eigen::MatrixXd sideBySide(const SightingRows& rows, Eigen::Index effectColumns);
   Eigen::Index m_effectColumns = 0;
 };
 

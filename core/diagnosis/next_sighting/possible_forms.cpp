@@ -3,7 +3,6 @@
 #include <cmath>
 #include <initializer_list>
 #include <numbers>
-#include <numeric>
 #include <utility>
 
 #include "core/diagnosis/forms/form_families.h"
@@ -101,23 +100,16 @@ const std::vector<PossibleForm>& possibleForms() {
   return list;
 }
 
-FormColumns columnsOfForms(const PossibleSightings& session, const std::vector<Circle>& circles,
-                           const Linearised& all) {
+std::vector<Eigen::MatrixXd> columnsOfForms(const PossibleSightings& session,
+                                            const std::vector<Circle>& circles, const Linearised& all) {
   const Measurement& measurement = session.measurement;
   const FormReadings readings = formReadings(Leftover(all), measurement, arcAnglesOn(circles, measurement));
-  FormColumns result;
-  for (const auto& [form, share] : possibleForms())
-    result.counts.push_back(readings.has(form) ? columnsOf(readings, form) : 0);
-  result.columns.resize(readings.count,
-                        std::accumulate(result.counts.begin(), result.counts.end(), Eigen::Index{0}));
-  Eigen::Index first = 0;
-  for (std::size_t i = 0; const Eigen::Index count : result.counts) {
-    const Form& form = possibleForms()[i++].form;
-    if (count > 0)
-      result.columns.middleCols(first, count) = formUnit(form.carrier) * formColumns(readings, form);
-    first += count;
+  std::vector<Eigen::MatrixXd> list;
+  for (const auto& [form, share] : possibleForms()) {
+    Eigen::MatrixXd& columns = list.emplace_back();
+    if (readings.has(form)) columns = formUnit(form.carrier) * formColumns(readings, form);
   }
-  return result;
+  return list;
 }
 
 }  // namespace alidade

@@ -20,15 +20,10 @@ struct PossibleForm {
 /// changes the prior.
 const std::vector<PossibleForm>& possibleForms();
 
-/// The columns of the possible forms, side by side, over the readings. The amplitudes have the plausible size
-/// (`formUnit`).
-struct FormColumns {
-  Eigen::MatrixXd columns;
-  std::vector<Eigen::Index> counts;  ///< columns of each form; 0 if no reading shows it
-};
-
-/// `circles` has one circle for each arc; `all` are the equations of `session` linearised at these circles.
-FormColumns columnsOfForms(const PossibleSightings& session, const std::vector<Circle>& circles,
-                           const Linearised& all);
+/// The columns of each possible form over the readings, for amplitudes of the plausible size (`formUnit`);
+/// empty if no reading shows the form. `circles` has one circle for each arc; `all` are the equations of
+/// `session` linearised at these circles.
+std::vector<Eigen::MatrixXd> columnsOfForms(const PossibleSightings& session,
+                                            const std::vector<Circle>& circles, const Linearised& all);
 
 }  // namespace alidade

@@ -10,7 +10,8 @@ namespace alidade {
 
 /// A candidate for the next sighting, before it is evaluated.
 struct PossibleSighting {
-  std::size_t arc = 0;  ///< index of the arc, which begins here if the sighting turns the axis
+  std::size_t arc = 0;       ///< index of the arc, which begins here if the sighting turns the axis
+  std::size_t sighting = 0;  ///< index into the arc's sightings
   NextSighting next;
 };
 
@@ -26,6 +27,7 @@ struct PossibleSightings {
 /// Rescales the elapsed shares to the duration of `rows` rows.
 void countElapsedFrom(Measurement& measurement, std::size_t rows);
 
+/// `taken` has at least one sighting.
 PossibleSightings possibleSightings(const Measurement& taken, const SightingPlan& plan);
 
 /// Gives each candidate the reading taken at its point, else an error-free one on the circle of its arc.

@@ -22,8 +22,6 @@ struct Hypothesis {
 /// One equation for each whitened combination of readings after elimination of the arc angles.
 struct SightingRows {
   Eigen::MatrixXd unknowns, causes;
-
-  Eigen::Index rows() const { return unknowns.rows(); }
 };
 
 /// The linear equations of a session: of the sightings taken, with their residuals, and of each candidate for
@@ -39,6 +37,9 @@ struct SightingEquations {
   std::vector<Hypothesis> hypotheses;
   double priorOdds = 0;            ///< sum over all hypotheses, those of rows still to come included
   Eigen::Index effectColumns = 0;  ///< number of columns of effects, which come first
+
+  /// Appends `priors.size()` unknowns that do not change Δd. `priors` are their weights 1/σ.
+  void appendPriors(const Eigen::VectorXd& priors);
 };
 
 /// Fills `session`, and linearises at the circles that fit the sightings taken. With `effectsOnly` the

@@ -25,40 +25,94 @@ double logOfNoise(double scale, double chiSquare, int degreesOfFreedom) {
   return chiSquare / 2 * (1 - 1 / (scale * scale)) - degreesOfFreedom * std::log(scale);
 }
 
-/// Collects the hypotheses by cause, with the likeliest of each.
-class ByCause {
- public:
-  void add(Weighed weighed, double logOdds) {
-    Sum& sum = m_sums[weighed.cause];
-    if (logOdds > sum.most) {
-      sum.most = logOdds;
-      sum.likeliest = std::move(weighed);
-    }
-    sum.log = logSum(sum.log, logOdds);
-  }
-
-  std::vector<Weighed> all() {
-    double whole = impossible;
-    for (const auto& [cause, sum] : m_sums) whole = logSum(whole, sum.log);
-    std::vector<Weighed> list;
-    for (auto& [cause, sum] : m_sums) {
-      sum.likeliest.probability = std::exp(sum.log - whole);
-      sum.likeliest.logOdds = sum.log;
-      list.push_back(std::move(sum.likeliest));
-    }
-    std::ranges::stable_sort(list, std::greater{}, &Weighed::logOdds);
-    return list;
-  }
-
- private:
-  struct Sum {
-    Weighed likeliest;
-    double most = impossible, log = impossible;
+/// The likeliest hypothesis of each cause, with the total probability of the cause; likeliest cause first.
+std::vector<Weighed> byCause(std::vector<Weighed> hypotheses) {
+  struct OfCause {
+    Weighed likeliest = {.logOdds = impossible};
+    double logOdds = impossible;
   };
-  std::map<std::string_view, Sum> m_sums;
-};
+  std::map<std::string_view, OfCause> causes;
+  for (Weighed& hypothesis : hypotheses) {
+    OfCause& own = causes[hypothesis.cause];
+    own.logOdds = logSum(own.logOdds, hypothesis.logOdds);
+    if (hypothesis.logOdds > own.likeliest.logOdds) own.likeliest = std::move(hypothesis);
+  }
+  double whole = impossible;
+  for (const auto& [cause, own] : causes) whole = logSum(whole, own.logOdds);
+  std::vector<Weighed> list;
+  for (auto& [cause, own] : causes) {
+    own.likeliest.probability = std::exp(own.logOdds - whole);
+    own.likeliest.logOdds = own.logOdds;
+    list.push_back(std::move(own.likeliest));
+  }
+  std::ranges::stable_sort(list, std::greater{}, &Weighed::logOdds);
+  return list;
+}
+
+/// Fills in evidence and weights for normal priors of these widths. The weights are the mean over the widths;
+/// the covariance includes the spread over the widths.
+void weighLinear(Weighed& weighed, const std::vector<Width>& widths, const MatrixXd& gram,
+                 const VectorXd& right) {
+  const Index count = right.size();
+  std::vector<Weighed> ofWidths;
+  weighed.logOdds = impossible;
+  for (const Width& width : widths) {
+    const double weight = 1 / (width.sigma * width.sigma);
+    MatrixXd precision = gram;
+    precision.diagonal().array() += weight;
+    const Eigen::LLT<MatrixXd> factor(precision);
+    Weighed& own = ofWidths.emplace_back();
+    own.covariance = factor.solve(MatrixXd::Identity(count, count));
+    own.weights = own.covariance * right;
+    own.logOdds = width.logChance + right.dot(own.weights) / 2;
+    for (Index i = 0; i < count; ++i)
+      own.logOdds += std::log(weight) / 2 - std::log(factor.matrixLLT()(i, i));
+    weighed.logOdds = logSum(weighed.logOdds, own.logOdds);
+  }
+  weighed.weights = VectorXd::Zero(count);
+  weighed.covariance = MatrixXd::Zero(count, count);
+  for (const Weighed& own : ofWidths)
+    weighed.weights += std::exp(own.logOdds - weighed.logOdds) * own.weights;
+  for (const Weighed& own : ofWidths) {
+    const VectorXd apart = own.weights - weighed.weights;
+    weighed.covariance +=
+        std::exp(own.logOdds - weighed.logOdds) * (own.covariance + apart * apart.transpose());
+  }
+}
+
+/// The same for a bent effect, at its most likely weights.
+void weighBent(Weighed& weighed, const std::vector<Width>& widths, const MatrixXd& gram,
+               const VectorXd& right) {
+  const BentFit fit = fitBent(widths, gram, right, 1);
+  const auto slope = bentDerivatives(fit.weights);
+  Eigen::Matrix2d precision = slope.transpose() * gram * slope;
+  precision.diagonal().array() += 1 / (fit.gain.width * fit.gain.width);
+  weighed.logOdds = fit.gain.log;
+  weighed.weights = bentWeights(fit.weights);
+  weighed.covariance = slope * precision.inverse() * slope.transpose();
+}
+
+double logDeterminant(const Eigen::LLT<MatrixXd>& factor) {
+  return 2 * factor.matrixLLT().diagonal().array().log().sum();
+}
+
+/// ∂(weights of the columns)/∂(unknown sizes): no column for a cause of fixed size.
+MatrixXd slopeOf(const Hypothesis& hypothesis, const VectorXd& weights) {
+  if (!hypothesis.widths) return MatrixXd::Zero(hypothesis.count, 0);
+  if (hypothesis.isBent) return bentDerivatives(weights.head<2>());
+  return MatrixXd::Identity(hypothesis.count, hypothesis.count);
+}
 
 }  // namespace
+
+double overlapOf(const Prediction& one, const Prediction& other) {
+  const Eigen::LLT<MatrixXd> mean((one.covariance + other.covariance) / 2), ofOne(one.covariance),
+      ofOther(other.covariance);
+  const VectorXd apart = mean.matrixL().solve(one.mean - other.mean);
+  const double distance = apart.squaredNorm() / 8 + logDeterminant(mean) / 2 -
+                          (logDeterminant(ofOne) + logDeterminant(ofOther)) / 4;
+  return std::clamp(std::exp(-distance), 0.0, 1.0);
+}
 
 WeighedCauses::WeighedCauses(const SightingEquations& equations) : m_equations(equations) {
   const MatrixXd& unknowns = equations.taken.unknowns;
@@ -71,28 +125,24 @@ WeighedCauses::WeighedCauses(const SightingEquations& equations) : m_equations(e
   // The number of equations that the unknowns leave is the trace of R.
   m_degreesOfFreedom = static_cast<int>(std::lround(
       static_cast<double>(unknowns.rows()) - m_unknowns.matrixL().solve(unknowns.transpose()).squaredNorm()));
-  ByCause causes;
-  causes.add({}, 0);
+  std::vector<Weighed> hypotheses(1);
   double evidence = impossible, shares = 0;
-  const auto add = [&](Weighed weighed, double log, double odds) {
-    evidence = logSum(evidence, log + std::log(odds));
+  const auto add = [&](Weighed weighed, double odds) {
+    weighed.logOdds += std::log(odds);
+    evidence = logSum(evidence, weighed.logOdds);
     shares += odds;
-    causes.add(std::move(weighed), log + std::log(odds));
+    hypotheses.push_back(std::move(weighed));
   };
-  for (const Hypothesis& hypothesis : equations.hypotheses) {
-    if (hypothesis.priorOdds == 0) continue;
-    Weighed weighed{.cause = hypothesis.cause, .first = hypothesis.first};
-    const double log = weigh(hypothesis, weighed);
-    add(std::move(weighed), log, hypothesis.priorOdds);
-  }
+  for (const Hypothesis& hypothesis : equations.hypotheses)
+    if (hypothesis.priorOdds > 0) add(weigh(hypothesis), hypothesis.priorOdds);
   for (const double scale : noiseScales)
-    add({.cause = noiseId, .noise = scale}, logOfNoise(scale, m_chiSquare, m_degreesOfFreedom),
+    add({.cause = noiseId, .logOdds = logOfNoise(scale, m_chiSquare, m_degreesOfFreedom), .noise = scale},
         noise_policy::odds / std::size(noiseScales));
   // Hypotheses that no sighting taken can show have a Bayes factor of 1.
   const double toCome = std::max(0.0, equations.priorOdds - shares);
   if (toCome > 0) evidence = logSum(evidence, std::log(toCome));
   m_logEvidence = evidence - std::log(shares + toCome);
-  m_all = causes.all();
+  m_all = byCause(std::move(hypotheses));
 }
 
 MatrixXd WeighedCauses::gramOf(Index first, Index count) const {
@@ -113,55 +163,21 @@ VectorXd WeighedCauses::productsOf(Index first, Index count) const {
          m_eliminated.middleCols(first, count).transpose() * m_right;
 }
 
-/// Returns ln of the evidence of a hypothesis against no cause, and fills in its weights. These are the mean
-/// over the widths; the covariance includes the spread over the widths.
-double WeighedCauses::weigh(const Hypothesis& hypothesis, Weighed& weighed) const {
+Weighed WeighedCauses::weigh(const Hypothesis& hypothesis) const {
+  Weighed weighed{.cause = hypothesis.cause, .first = hypothesis.first};
   const MatrixXd gram = gramOf(hypothesis.first, hypothesis.count);
-  VectorXd right = productsOf(hypothesis.first, hypothesis.count);
-  for (Index i = 0; i < hypothesis.count; ++i)
-    if (gram(i, i) == 0) right[i] = 0;
+  const VectorXd right =
+      (gram.diagonal().array() == 0).select(0, productsOf(hypothesis.first, hypothesis.count));
   if (!hypothesis.widths) {
+    weighed.logOdds = right[0] - gram(0, 0) / 2;
     weighed.weights = VectorXd::Ones(1);
     weighed.covariance = MatrixXd::Zero(1, 1);
-    return right[0] - gram(0, 0) / 2;
+  } else if (hypothesis.isBent) {
+    weighBent(weighed, *hypothesis.widths, gram, right);
+  } else {
+    weighLinear(weighed, *hypothesis.widths, gram, right);
   }
-  if (hypothesis.isBent) {
-    const BentFit fit = fitBent(*hypothesis.widths, gram, right, 1);
-    const auto slope = bentDerivatives(fit.weights);
-    Eigen::Matrix2d precision = slope.transpose() * gram * slope;
-    precision.diagonal().array() += 1 / (fit.gain.width * fit.gain.width);
-    weighed.weights = bentWeights(fit.weights);
-    weighed.covariance = slope * precision.inverse() * slope.transpose();
-    return fit.gain.log;
-  }
-  struct OfWidth {
-    double log;
-    VectorXd mean;
-    MatrixXd covariance;
-  };
-  std::vector<OfWidth> ofWidths;
-  double all = impossible;
-  for (const Width& width : *hypothesis.widths) {
-    const double weight = 1 / (width.sigma * width.sigma);
-    MatrixXd precision = gram;
-    precision.diagonal().array() += weight;
-    const Eigen::LLT<MatrixXd> factor(precision);
-    const MatrixXd covariance = factor.solve(MatrixXd::Identity(hypothesis.count, hypothesis.count));
-    const VectorXd mean = covariance * right;
-    double log = width.logChance + right.dot(mean) / 2;
-    for (Index i = 0; i < hypothesis.count; ++i)
-      log += std::log(weight) / 2 - std::log(factor.matrixLLT()(i, i));
-    all = logSum(all, log);
-    ofWidths.push_back({log, mean, covariance});
-  }
-  weighed.weights = VectorXd::Zero(hypothesis.count);
-  weighed.covariance = MatrixXd::Zero(hypothesis.count, hypothesis.count);
-  for (const OfWidth& own : ofWidths) weighed.weights += std::exp(own.log - all) * own.mean;
-  for (const OfWidth& own : ofWidths) {
-    const VectorXd apart = own.mean - weighed.weights;
-    weighed.covariance += std::exp(own.log - all) * (own.covariance + apart * apart.transpose());
-  }
-  return all;
+  return weighed;
 }
 
 double WeighedCauses::chiSquareAfter(const Weighed& cause) const {
@@ -183,6 +199,34 @@ Prediction WeighedCauses::Predictor::under(const Weighed& cause) const {
   if (count == 0) return {VectorXd::Zero(m_covariance.rows()), m_covariance * (cause.noise * cause.noise)};
   const auto columns = m_columns.middleCols(cause.first, count);
   return {columns * cause.weights, m_covariance + columns * cause.covariance * columns.transpose()};
+}
+
+SightingEquations withCause(const SightingEquations& equations, const Weighed& cause,
+                            const std::vector<std::string>& group) {
+  SightingEquations result = equations;
+  const Hypothesis& present = *std::ranges::find(equations.hypotheses, cause.first, &Hypothesis::first);
+  const MatrixXd slope = slopeOf(present, cause.weights);
+  const Index added = slope.cols();
+  const auto columnsIn = [&](const SightingRows& rows) {
+    return rows.causes.middleCols(present.first, present.count);
+  };
+  const auto extend = [&](SightingRows& rows) {
+    rows.unknowns.conservativeResize(Eigen::NoChange, rows.unknowns.cols() + added);
+    rows.unknowns.rightCols(added) = columnsIn(rows) * slope;
+  };
+  result.residual -= columnsIn(result.taken) * cause.weights;
+  extend(result.taken);
+  for (SightingRows& rows : result.possible) extend(rows);
+  // The prior is centred at the estimate and as wide as the cause is large, so that the readings decide.
+  result.appendPriors(VectorXd::Constant(added, 1 / std::max(1.0, cause.weights.head(added).norm())));
+  const auto isLeftOut = [&](const Hypothesis& other) {
+    if (other.first == present.first) return true;
+    return other.cause != grossErrorId && std::ranges::find(group, other.cause) != group.end();
+  };
+  for (const Hypothesis& other : equations.hypotheses)
+    if (isLeftOut(other)) result.priorOdds -= other.priorOdds;
+  std::erase_if(result.hypotheses, isLeftOut);
+  return result;
 }
 
 }  // namespace alidade

@@ -2,13 +2,25 @@
 
 #include <Eigen/Cholesky>
 #include <Eigen/Core>
+#include <string>
 #include <string_view>
 #include <vector>
 
-#include "core/diagnosis/next_sighting/overlap.h"
 #include "core/diagnosis/next_sighting/sighting_equations.h"
 
 namespace alidade {
+
+/// A normal distribution of a few readings.
+struct Prediction {
+  Eigen::VectorXd mean;
+  Eigen::MatrixXd covariance;
+};
+
+/// The Bhattacharyya coefficient ∫ √(p q) of two normal distributions, 0…1: 1 if they are equal.
+///
+/// Source: Kailath, "The divergence and Bhattacharyya distance measures in signal selection", IEEE
+/// Transactions on Communication Technology 15 (1967).
+double overlapOf(const Prediction& one, const Prediction& other);
 
 /// A hypothesis after the sightings taken. The hypotheses "no cause" and "larger noise" have no weights.
 struct Weighed {
@@ -28,8 +40,10 @@ struct Weighed {
 /// |1 + w² G|^(−1/2) exp(½ cᵀ (w⁻² + G)⁻¹ c), its weights have the covariance (w⁻² + G)⁻¹.
 class WeighedCauses {
  public:
+  /// `equations` must outlive this object.
   explicit WeighedCauses(const SightingEquations& equations);
 
+  const SightingEquations& equations() const { return m_equations; }
   /// The likeliest hypothesis of each cause, with the total probability of the cause; likeliest cause first.
   const std::vector<Weighed>& all() const { return m_all; }
   /// ln of the Bayes factor of the mixture of all hypotheses, with fixed prior shares, against no cause.
@@ -59,7 +73,14 @@ class WeighedCauses {
 
   Eigen::MatrixXd gramOf(Eigen::Index first, Eigen::Index count) const;
   Eigen::VectorXd productsOf(Eigen::Index first, Eigen::Index count) const;
-  double weigh(const Hypothesis& hypothesis, Weighed& weighed) const;
+  Weighed weigh(const Hypothesis& hypothesis) const;
 };
+
+/// The equations with `cause` present for certain. Its size is one more unknown; the prior is centred at the
+/// estimate and as wide as the estimate is large. The hypotheses are further causes, without `group`, the
+/// causes that no sighting separates from `cause`. A jump or wrong zero excludes all others; a further gross
+/// error stays.
+SightingEquations withCause(const SightingEquations& equations, const Weighed& cause,
+                            const std::vector<std::string>& group);
 
 }  // namespace alidade

@@ -1,9 +1,9 @@
-#include "core/diagnosis/next_sighting/overlap.h"
-
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <numbers>
+
+#include "core/diagnosis/next_sighting/weighed.h"
 
 namespace alidade {
 namespace {

@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 #include "core/diagnosis/forms/form_families.h"
 #include "core/effects/catalogue.h"
 #include "core/guidance/sighting_choice.h"
@@ -59,12 +61,12 @@ TEST(PossibleForms, ChangeTheReadingsAsTheSimulatorDoes) {
   Linearised all;
   linearise(session.measurement, circles, {.isClosed = true}, everyTerm(),
             [&](const Linearised& piece) { all = piece; });
-  const FormColumns forms = columnsOfForms(session, circles, all);
-  Eigen::Index first = 0;
-  for (std::size_t i = 0; const PossibleForm& possible : possibleForms()) {
-    if (possible.form.carrier == FormCarrier::Radial && possible.form.order == 5) break;
-    first += forms.counts[i++];
-  }
+  const std::vector<Eigen::MatrixXd> forms = columnsOfForms(session, circles, all);
+  const auto isHarmonic = [](const PossibleForm& possible) {
+    return possible.form.carrier == FormCarrier::Radial && possible.form.order == 5;
+  };
+  const auto index = std::ranges::find_if(possibleForms(), isHarmonic) - possibleForms().begin();
+  const Eigen::MatrixXd& harmonic = forms[static_cast<std::size_t>(index)];
   const double unit = formUnit(FormCarrier::Radial);
   int compared = 0;
   for (std::size_t i = 0; i < all.readings.size(); ++i) {
@@ -75,7 +77,7 @@ TEST(PossibleForms, ChangeTheReadingsAsTheSimulatorDoes) {
     const Sighting &before = without.arcs[reading.arc].sightings[reading.sighting],
                    &after = with.arcs[reading.arc].sightings[reading.sighting];
     const Angle change = reading.kind == ReadingKind::Horizontal ? after.a - before.a : after.e - before.e;
-    const auto columns = forms.columns.row(static_cast<Eigen::Index>(i)).segment<2>(first);
+    const auto columns = harmonic.row(static_cast<Eigen::Index>(i));
     EXPECT_NEAR(columns[0] * cosine / unit + columns[1] * sine / unit, change.radians() / reading.sigma,
                 0.02);
     ++compared;

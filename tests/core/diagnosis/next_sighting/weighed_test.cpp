@@ -9,7 +9,6 @@
 
 #include "core/base/random_source.h"
 #include "core/diagnosis/evidence/bent_fit.h"
-#include "core/diagnosis/next_sighting/with_cause.h"
 #include "core/diagnosis/result/noise_policy.h"
 
 namespace alidade {
