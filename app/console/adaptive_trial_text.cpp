@@ -1,12 +1,18 @@
 #include "app/console/adaptive_trial_text.h"
 
 #include <algorithm>
+#include <cstddef>
+#include <initializer_list>
+#include <iterator>
 #include <map>
 #include <nlohmann/json.hpp>
+#include <optional>
+#include <vector>
 
 #include "app/console/text_layout.h"
 #include "core/answers/json_text.h"
 #include "core/base/number_text.h"
+#include "core/exchange/csv_text.h"
 #include "core/wording/effect_name.h"
 
 namespace alidade::console {
@@ -14,46 +20,40 @@ namespace alidade::console {
 namespace {
 
 using Json = nlohmann::ordered_json;
+using Trials = std::vector<const AdaptiveTrial*>;
 
-struct OfOrder {
-  std::size_t right = 0, wrong = 0;
-  double sightings = 0, minutes = 0;
-
-  void add(const WatchedRun& run) {
-    right += run.isRight ? 1 : 0;
-    wrong += run.isWrong ? 1 : 0;
-    sightings += static_cast<double>(run.sightings);
-    minutes += run.minutes;
+/// The trials of each kind of truth, and under "all" every one.
+std::map<std::string, Trials> byKind(const AdaptiveTrials& trials) {
+  std::map<std::string, Trials> kinds;
+  for (const AdaptiveTrial& trial : trials.withCause) {
+    kinds[trial.truth.kind].push_back(&trial);
+    kinds["all"].push_back(&trial);
   }
-};
+  return kinds;
+}
 
-struct OfKind {
-  std::size_t count = 0, rightInFull = 0, rows = 0;
-  OfOrder ofProtocol, byWorth;
-
-  void add(const AdaptiveTrial& trial) {
-    ++count;
-    rightInFull += trial.isRightInFull ? 1 : 0;
-    rows += trial.rows;
-    ofProtocol.add(trial.ofProtocol);
-    byWorth.add(trial.byWorth);
+std::vector<std::string> kindRow(const std::string& kind, const Trials& trials) {
+  const auto sum = [&](const auto& numberOf) {
+    double total = 0;
+    for (const AdaptiveTrial* trial : trials) total += static_cast<double>(numberOf(*trial));
+    return total;
+  };
+  const auto count = [&](const auto& isOne) { return fixedText(sum(isOne), 0); };
+  const auto share = [&](const auto& isOne) { return count(isOne) + "/" + std::to_string(trials.size()); };
+  const auto mean = [&](const auto& numberOf) {
+    return fixedText(sum(numberOf) / static_cast<double>(trials.size()), 1);
+  };
+  std::vector<std::string> row{"  " + causeName(kind),
+                               share([](const AdaptiveTrial& trial) { return trial.isRightInFull; }),
+                               mean([](const AdaptiveTrial& trial) { return trial.rows; })};
+  for (const auto run : {&WatchedRuns::ofProtocol, &WatchedRuns::byWorth}) {
+    const auto of = [&](auto member) {
+      return [=](const AdaptiveTrial& trial) { return trial.*run.*member; };
+    };
+    row.insert(row.end(), {share(of(&WatchedRun::isRight)), count(of(&WatchedRun::isWrong)),
+                           mean(of(&WatchedRun::sightings)), mean(of(&WatchedRun::minutes))});
   }
-};
-
-std::vector<std::string> kindRow(const std::string& kind, const OfKind& of) {
-  const auto mean = [&](double sum) { return fixedText(sum / static_cast<double>(of.count), 1); };
-  const auto right = [&](std::size_t hits) { return std::to_string(hits) + "/" + std::to_string(of.count); };
-  return {"  " + causeName(kind),
-          right(of.rightInFull),
-          mean(static_cast<double>(of.rows)),
-          right(of.ofProtocol.right),
-          std::to_string(of.ofProtocol.wrong),
-          mean(of.ofProtocol.sightings),
-          mean(of.ofProtocol.minutes),
-          right(of.byWorth.right),
-          std::to_string(of.byWorth.wrong),
-          mean(of.byWorth.sightings),
-          mean(of.byWorth.minutes)};
+  return row;
 }
 
 std::size_t namedIn(const std::vector<WatchedRuns>& runs) {
@@ -67,22 +67,61 @@ Json runJson(const WatchedRun& run) {
           {"log_evidence", run.most}};
 }
 
+/// An order of sightings, and the unit in which its progress is measured.
+struct Axis {
+  const char* way;
+  WatchedRun WatchedRuns::*run;
+  const char* unit;
+  bool isMinutes;
+
+  /// The length of a run, or of the run up to a `Look`, in minutes or sightings.
+  template <typename Watched>
+  double lengthOf(const Watched& watched) const {
+    return isMinutes ? watched.minutes : static_cast<double>(watched.sightings);
+  }
+};
+
+constexpr Axis axes[] = {{"in_order", &WatchedRuns::ofProtocol, "sightings", false},
+                         {"by_worth", &WatchedRuns::byWorth, "sightings", false},
+                         {"in_order", &WatchedRuns::ofProtocol, "minutes", true},
+                         {"by_worth", &WatchedRuns::byWorth, "minutes", true}};
+
+/// The percentage of trials whose run is at most `at` long and names causes rightly, or wrongly, as `is`
+/// selects.
+double percentAt(const Trials& trials, const Axis& axis, double at, bool WatchedRun::*is) {
+  const auto isOne = [&](const AdaptiveTrial* trial) {
+    const WatchedRun& run = trial->*axis.run;
+    return !run.named.empty() && axis.lengthOf(run) <= at && run.*is;
+  };
+  return 100 / static_cast<double>(trials.size()) * static_cast<double>(std::ranges::count_if(trials, isOne));
+}
+
+/// The mean U of the clean sessions at the length `at`, mm; absent until each of them has a U.
+std::optional<double> expandedAt(const std::vector<WatchedRuns>& clean, const Axis& axis, double at) {
+  if (clean.empty()) return std::nullopt;
+  double sum = 0;
+  for (const WatchedRuns& runs : clean) {
+    const std::vector<WatchedRun::Look>& looks = (runs.*axis.run).looks;
+    const auto after =
+        std::ranges::find_if(looks, [&](const WatchedRun::Look& look) { return axis.lengthOf(look) > at; });
+    if (after == looks.begin()) return std::nullopt;
+    sum += std::prev(after)->expanded;
+  }
+  return sum / static_cast<double>(clean.size());
+}
+
 }  // namespace
 
 std::string adaptiveTrialText(const AdaptiveTrials& trials) {
-  std::map<std::string, OfKind> kinds;
-  OfKind all;
-  for (const AdaptiveTrial& trial : trials.withCause) {
-    kinds[trial.truth.kind].add(trial);
-    all.add(trial);
-  }
+  std::map<std::string, Trials> kinds = byKind(trials);
   std::string text;
-  if (all.count > 0) {
+  if (!kinds.empty()) {
     std::vector<std::vector<std::string>> rows{{"  kind", "whole: right", "sightings", "protocol: right",
                                                 "wrong", "sightings", "minutes", "chosen: right", "wrong",
                                                 "sightings", "minutes"}};
-    for (const auto& [kind, of] : kinds) rows.push_back(kindRow(kind, of));
-    rows.push_back(kindRow("all", all));
+    const auto all = kinds.extract("all");
+    for (const auto& [kind, own] : kinds) rows.push_back(kindRow(kind, own));
+    rows.push_back(kindRow("all", all.mapped()));
     text += "Until a cause is named, in the order of the protocol and by the worth of each sighting\n" +
             alignedColumns(rows);
   }
@@ -104,6 +143,30 @@ std::string adaptiveTrialJson(const AdaptiveTrials& trials) {
                          {"by_worth", runJson(trial.byWorth)}});
   for (const WatchedRuns& runs : trials.clean) clean.push_back(runJson(runs.byWorth));
   return answerText(Json{{"trials", withCause}, {"clean", clean}});
+}
+
+std::string adaptiveTrialCsv(const AdaptiveTrials& trials) {
+  const std::map<std::string, Trials> kinds = byKind(trials);
+  CsvText csv({"kind", "way", "against", "at", "right_percent", "wrong_percent", "expanded_mm"});
+  for (const Axis& axis : axes) {
+    double last = 0;
+    for (const AdaptiveTrial& trial : trials.withCause) last = std::max(last, axis.lengthOf(trial.*axis.run));
+    for (const WatchedRuns& runs : trials.clean) last = std::max(last, axis.lengthOf(runs.*axis.run));
+    constexpr double step = 4;
+    for (double at = step; at < last + step; at += step) {
+      const auto add = [&](const std::string& kind, std::initializer_list<std::string> numbers) {
+        csv.word(kind).word(axis.way).word(axis.unit).word(fixedText(at, 0));
+        for (const std::string& number : numbers) csv.word(number);
+        csv.endRow();
+      };
+      for (const auto& [kind, own] : kinds)
+        add(kind, {fixedText(percentAt(own, axis, at, &WatchedRun::isRight), 1),
+                   fixedText(percentAt(own, axis, at, &WatchedRun::isWrong), 1), ""});
+      if (const auto expanded = expandedAt(trials.clean, axis, at))
+        add("none", {"", "", fixedText(*expanded, 4)});
+    }
+  }
+  return csv.text();
 }
 
 }  // namespace alidade::console
