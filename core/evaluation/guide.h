@@ -25,6 +25,10 @@ struct Guide {
   std::string problem = {};  ///< why the protocol cannot be followed; everything else is then empty
 };
 
+/// The guide along a protocol. `fitted` is null if nothing of the session can be fitted; the guide is then
+/// the progress alone.
+Guide guideAlong(SightingProtocol protocol, const Session& session, const FittedSession* fitted);
+
 /// The guide of a fitted evaluation; null without a protocol, or with more than `mostSightings` rows.
 std::shared_ptr<const Guide> guideOf(const Evaluation& evaluation);
 
