@@ -58,21 +58,17 @@ std::vector<std::optional<NextReading>> nextReadings(const Session& session, con
   for (const Position& position : session.positions) rows += position.readings.size();
   if (rows > mostTyped) return next;
   std::vector<SightingToCome> sightings;
-  std::vector<std::size_t> positions;
   for (std::size_t i = 0; i < session.positions.size(); ++i) {
     next.push_back(nextOf(session, i, guide));
     if (!next.back()) continue;
-    if (const auto sighting = sightingOf(*next.back(), i)) {
-      sightings.push_back(*sighting);
-      positions.push_back(i);
-    }
+    if (const auto sighting = sightingOf(*next.back(), i)) sightings.push_back(*sighting);
   }
   if (!measurement) return next;
   const auto expected = expectedReadings(*measurement, fit, sightings);
-  for (std::size_t i = 0; i < positions.size(); ++i) next[positions[i]]->expected = expected[i];
-  if (!guide) return next;
-  for (std::size_t i = 0; i < sightings.size(); ++i)
-    if (const auto led = ledTo(*guide, sightings[i])) next[positions[i]]->expected = led;
+  for (std::size_t i = 0; i < sightings.size(); ++i) {
+    const auto led = guide ? ledTo(*guide, sightings[i]) : std::nullopt;
+    next[sightings[i].position]->expected = led ? led : expected[i];
+  }
   return next;
 }
 

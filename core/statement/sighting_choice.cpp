@@ -29,12 +29,8 @@ std::string additionText(const std::string& cause) {
   return cause.empty() ? Phrase::of("alone") : Phrase::of("with %1", nameOf(cause));
 }
 
-std::string sightingText(std::size_t index, const ProtocolProgress& progress) {
-  return sightingNameInSession(progress.sightings[index].planned);
-}
-
 std::string nextSentence(const SightingChoice& choice, const ProtocolProgress& progress) {
-  const std::string next = sightingText(choice.next, progress);
+  const std::string next = sightingNameInSession(progress.sightings[choice.next].planned);
   switch (choice.reason) {
     case SightingChoice::Reason::EarlyPlace:
       return Phrase::of(
@@ -62,7 +58,8 @@ std::string nextSentence(const SightingChoice& choice, const ProtocolProgress& p
 
 std::string alternativesSentence(const SightingChoice& choice, const ProtocolProgress& progress) {
   std::vector<std::string> names;
-  for (const std::size_t index : choice.alternatives) names.push_back(sightingText(index, progress));
+  for (const std::size_t index : choice.alternatives)
+    names.push_back(sightingNameInSession(progress.sightings[index].planned));
   return names.empty() ? std::string()
                        : Phrase::of("Nearly as informative: %1.", listed(names, Phrase::of(" or ")));
 }

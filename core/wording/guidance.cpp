@@ -104,15 +104,11 @@ std::string limitSentence(const Outlook& outlook, UncertaintyChoice choice, cons
 std::string notEnough(const Outlook& outlook, UncertaintyChoice choice, const Lengths& text) {
   const RoundsAhead& most = outlook.ahead.back();
   const std::string needed = text(choice.of(*outlook.needed));
-  std::vector<std::string> sentences;
   if (outlook.limit && !outlook.isEnough(*outlook.limit))
-    sentences.push_back(
-        Phrase::of("More rounds are not enough: U always stays above %1 mm, and the verdict needs %2 mm.",
-                   text(choice.of(*outlook.limit)), needed));
-  else
-    sentences.push_back(Phrase::of("Even %1 more rounds leave U at %2 mm; the verdict needs %3 mm.",
-                                   most.rounds, text(choice.of(most.expanded)), needed));
-  return joined(sentences);
+    return Phrase::of("More rounds are not enough: U always stays above %1 mm, and the verdict needs %2 mm.",
+                      text(choice.of(*outlook.limit)), needed);
+  return Phrase::of("Even %1 more rounds leave U at %2 mm; the verdict needs %3 mm.", most.rounds,
+                    text(choice.of(most.expanded)), needed);
 }
 
 std::string verdictName(bool isWithin) {
