@@ -1,17 +1,15 @@
 #include "core/simulation/adaptive_trial.h"
 
 #include <algorithm>
-#include <mutex>
 #include <optional>
-#include <thread>
 #include <utility>
 
 #include "core/base/statistics.h"
-#include "core/base/threads.h"
 #include "core/diagnosis/diagnose.h"
 #include "core/effects/catalogue.h"
 #include "core/effects/cause_ids.h"
 #include "core/guidance/sighting_choice.h"
+#include "core/simulation/each_trial.h"
 #include "core/simulation/protocol.h"
 #include "core/simulation/trial_score.h"
 #include "core/simulation/watched_session.h"
@@ -151,12 +149,12 @@ Result<AdaptiveTrial> trialOf(const Protocol& protocol, const std::vector<std::s
 }
 
 /// A session without a cause, watched to its end.
-WatchedRuns cleanRunsOf(const Protocol& protocol, std::uint64_t seed, bool readsInOrder) {
+Result<WatchedRuns> cleanRunsOf(const Protocol& protocol, std::uint64_t seed, bool readsInOrder) {
+  const auto drawn = drawBlindTrial({.protocol = protocol.name, .kinds = {"none"}}, seed);
+  if (!drawn) return drawn.problem();
   WatchedRuns runs;
-  if (const auto drawn = drawBlindTrial({.protocol = protocol.name, .kinds = {"none"}}, seed)) {
-    if (readsInOrder) runs.ofProtocol = Run(protocol, drawn->truth, seed, true).inOrder();
-    runs.byWorth = Run(protocol, drawn->truth, seed, true).byWorth();
-  }
+  if (readsInOrder) runs.ofProtocol = Run(protocol, drawn->truth, seed, true).inOrder();
+  runs.byWorth = Run(protocol, drawn->truth, seed, true).byWorth();
   return runs;
 }
 
@@ -170,27 +168,19 @@ Result<AdaptiveTrials> adaptiveTrials(const AdaptiveTrialOptions& options, const
   std::vector<std::vector<std::string>> kinds(options.count, effects);
   kinds.insert(kinds.end(), options.two, {"two_causes"});
   kinds.insert(kinds.end(), options.unknown, {"unknown"});
-  const std::size_t all = kinds.size() + options.clean;
-  std::vector<std::optional<Result<AdaptiveTrial>>> withCause(kinds.size());
-  AdaptiveTrials trials;
-  trials.clean.resize(options.clean);
-  std::mutex reporting;
-  std::size_t done = 0;
-  const std::size_t threads =
-      options.threads > 0 ? options.threads : std::max(1u, std::thread::hardware_concurrency());
-  doEach(std::clamp<std::size_t>(all, 1, threads), all, [&](std::size_t i) {
-    if (i < kinds.size())
-      withCause[i] = trialOf(protocol, kinds[i], seed + i);
-    else
-      trials.clean[i - kinds.size()] = cleanRunsOf(protocol, seed + i, options.readsCleanInOrder);
-    const std::scoped_lock lock(reporting);
-    if (options.progress) options.progress(++done);
-  });
-  for (auto& trial : withCause) {
-    if (!*trial) return trial->problem();
-    trials.withCause.push_back(**std::move(trial));
-  }
-  return trials;
+  const std::size_t sealed = kinds.size();
+  auto withCause = eachTrial<AdaptiveTrial>(
+      sealed, options.threads, [&](std::size_t i) { return trialOf(protocol, kinds[i], seed + i); },
+      options.progress);
+  if (!withCause) return withCause.problem();
+  auto clean = eachTrial<WatchedRuns>(
+      options.clean, options.threads,
+      [&](std::size_t i) { return cleanRunsOf(protocol, seed + sealed + i, options.readsCleanInOrder); },
+      [&](std::size_t done) {
+        if (options.progress) options.progress(sealed + done);
+      });
+  if (!clean) return clean.problem();
+  return AdaptiveTrials{*std::move(withCause), *std::move(clean)};
 }
 
 }  // namespace alidade

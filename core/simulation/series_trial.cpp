@@ -5,15 +5,14 @@
 #include <fstream>
 #include <nlohmann/json.hpp>
 #include <sstream>
-#include <thread>
 
 #include "core/base/file_bytes.h"
-#include "core/base/threads.h"
 #include "core/base/visible_text.h"
 #include "core/effects/catalogue.h"
 #include "core/effects/cause_ids.h"
 #include "core/series/shared_causes/diagnose_series.h"
 #include "core/session/session_file.h"
+#include "core/simulation/each_trial.h"
 #include "core/simulation/sealed_truth.h"
 #include "core/wording/diagnosis_sentence.h"
 
@@ -46,24 +45,13 @@ Result<SeriesDiagnosis> diagnosed(const std::string& id, const std::vector<Sessi
 /// Draws or loads `count` trials and scores them, several in parallel.
 template <typename Made>
 Result<std::vector<ScoredSeries>> scoreEach(std::size_t count, std::size_t threads, const Made& trialAt) {
-  std::vector<std::optional<Result<ScoredSeries>>> results(count);
-  const std::size_t all = threads > 0 ? threads : std::max(1u, std::thread::hardware_concurrency());
-  doEach(std::clamp<std::size_t>(count, 1, all), count, [&](std::size_t i) {
+  return eachTrial<ScoredSeries>(count, threads, [&](std::size_t i) -> Result<ScoredSeries> {
     const Result<SeriesTrial> trial = trialAt(i);
-    if (!trial) {
-      results[i] = Result<ScoredSeries>(trial.problem());
-      return;
-    }
+    if (!trial) return trial.problem();
     const Result<SeriesDiagnosis> diagnosis = diagnosed(trial->seal.id, trial->sessions, 1);
-    results[i] = diagnosis ? Result<ScoredSeries>(scoreSeries(trial->seal, *diagnosis))
-                           : Result<ScoredSeries>(diagnosis.problem());
+    if (!diagnosis) return diagnosis.problem();
+    return scoreSeries(trial->seal, *diagnosis);
   });
-  std::vector<ScoredSeries> scored;
-  for (auto& result : results) {
-    if (!*result) return result->problem();
-    scored.push_back(**std::move(result));
-  }
-  return scored;
 }
 
 Result<Json> truthsOf(const std::string& folder) {

@@ -1,19 +1,16 @@
 #include "core/simulation/trial_series.h"
 
 #include <algorithm>
-#include <atomic>
 #include <cerrno>
 #include <cstring>
 #include <filesystem>
 #include <fstream>
-#include <mutex>
 #include <sstream>
-#include <thread>
 
-#include "core/base/threads.h"
 #include "core/diagnosis/diagnose.h"
 #include "core/effects/catalogue.h"
 #include "core/session/session_file.h"
+#include "core/simulation/each_trial.h"
 #include "core/wording/diagnosis_sentence.h"
 
 namespace alidade {
@@ -67,30 +64,12 @@ Result<std::string> contentOf(const std::filesystem::path& path) {
 
 Result<std::vector<ScoredTrial>> scoreTrials(const TrialSeriesOptions& options,
                                              const std::function<Result<TrialCase>(std::size_t)>& trialAt) {
-  std::vector<std::optional<Result<ScoredTrial>>> results(options.count);
-  std::atomic<std::size_t> next = 0;
-  std::atomic<bool> failed = false;
-  std::mutex reporting;
-  std::size_t done = 0;
-  const auto work = [&] {
-    for (std::size_t i; !failed && (i = next.fetch_add(1)) < options.count;) {
-      const Result<TrialCase> trial = trialAt(i);
-      results[i] = trial ? scored(*trial, options.withheld) : Result<ScoredTrial>(trial.problem());
-      if (!*results[i]) failed = true;
-      if (!options.progress) continue;
-      const std::scoped_lock lock(reporting);
-      options.progress(++done);
-    }
+  const auto scoredAt = [&](std::size_t i) -> Result<ScoredTrial> {
+    const Result<TrialCase> trial = trialAt(i);
+    if (!trial) return trial.problem();
+    return scored(*trial, options.withheld);
   };
-  const std::size_t threads =
-      options.threads > 0 ? options.threads : std::max(1u, std::thread::hardware_concurrency());
-  inThreads(std::clamp<std::size_t>(options.count, 1, threads), work);
-  std::vector<ScoredTrial> trials;
-  for (auto& result : results) {
-    if (result && !*result) return result->problem();
-    if (result) trials.push_back(**std::move(result));
-  }
-  return trials;
+  return eachTrial<ScoredTrial>(options.count, options.threads, scoredAt, options.progress);
 }
 
 Result<std::vector<ScoredTrial>> scoreDrawnTrials(const TrialSeriesOptions& options,
