@@ -8,7 +8,7 @@
 
 namespace alidade {
 
-// The reason why a diagnosis failed; `core/wording/diagnosis_fault.h` formulates it.
+// The reason why a diagnosis failed; `core/wording/diagnosis_sentence.h` formulates it.
 
 /// No arc could be fitted.
 struct NoModel {
