@@ -9,7 +9,7 @@
 #include "core/base/statistics.h"
 #include "core/diagnosis/planned_uncertainty.h"
 #include "core/guidance/sighting_choice.h"
-#include "core/simulation/protocol_template.h"
+#include "core/simulation/protocol.h"
 #include "core/simulation/simulate.h"
 #include "core/simulation/watched_session.h"
 
