@@ -1,4 +1,4 @@
-#include "app/console/adaptive_trial_text.h"
+#include "app/console/trial_text.h"
 
 #include <algorithm>
 #include <cstddef>

@@ -9,7 +9,6 @@
 #include "core/base/visible_text.h"
 #include "core/statement/next_measures.h"
 #include "core/statement/sighting_choice.h"
-#include "core/statement/sightings_ahead.h"
 #include "core/wording/guidance.h"
 #include "core/wording/position_name.h"
 

@@ -3,6 +3,7 @@
 #include <string>
 #include <vector>
 
+#include "core/simulation/adaptive_trial.h"
 #include "core/simulation/series_trial.h"
 #include "core/simulation/trial_summary.h"
 
@@ -19,5 +20,15 @@ std::string seriesTrialText(const std::vector<ScoredSeries>& series);
 
 /// One JSON document: the summary, and each series with its truth, answer and score.
 std::string seriesTrialJson(const std::vector<ScoredSeries>& series);
+
+/// Right answers, sightings and minutes of both orders, by kind of cause, as text.
+std::string adaptiveTrialText(const AdaptiveTrials& trials);
+
+/// One JSON document: every trial, and every watched session without an effect.
+std::string adaptiveTrialJson(const AdaptiveTrials& trials);
+
+/// Curves of both orders over sightings and over minutes, as CSV: the percentages of sessions named rightly
+/// and wrongly, for each kind of cause and for all kinds, and the mean U of Δd (mm) of clean sessions.
+std::string adaptiveTrialCsv(const AdaptiveTrials& trials);
 
 }  // namespace alidade::console

@@ -3,7 +3,6 @@
 #include <CLI/CLI.hpp>
 #include <cstdio>
 
-#include "app/console/adaptive_trial_text.h"
 #include "app/console/commands/option_checks.h"
 #include "app/console/own_effect_files.h"
 #include "app/console/trial_text.h"

@@ -1,4 +1,4 @@
-#include "core/statement/sightings_ahead.h"
+#include "core/statement/sighting_choice.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

@@ -22,7 +22,6 @@
 #include "core/simulation/protocol.h"
 #include "core/statement/next_measures.h"
 #include "core/statement/sighting_choice.h"
-#include "core/statement/sightings_ahead.h"
 #include "core/wording/guidance.h"
 #include "core/wording/measure.h"
 #include "core/wording/position_name.h"

@@ -13,7 +13,7 @@
 #include "core/session/protocol_progress.h"
 #include "core/simulation/protocol.h"
 #include "core/simulation/simulate.h"
-#include "core/statement/sightings_ahead.h"
+#include "core/statement/sighting_choice.h"
 #include "tests/ui/support.h"
 #include "ui/commands/change_session.h"
 #include "ui/dialogs/protocol_dialog.h"
