@@ -257,11 +257,12 @@ constexpr bool canRespondSo(const Effect& effect) {
   return false;
 }
 
-static_assert(sharesOutTheTerms(makeCatalogue()), "every error term but the jump's belongs to one effect");
+static_assert(sharesOutTheTerms(makeCatalogue()),
+              "every error term except those of the jump must belong to one effect");
 static_assert(std::ranges::all_of(makeCatalogue(), isOfItsSource),
-              "an effect is the guideway's where its terms are");
+              "the source of an effect is the guideway exactly if that of its error terms is");
 static_assert(std::ranges::all_of(makeCatalogue(), canRespondSo),
-              "what bends has two numbers of the guideway, what is all or nothing has one");
+              "a bent response needs two parameters of the guideway, an all-or-nothing response needs one");
 
 const std::vector<Effect>& catalogue() {
   static const std::vector<Effect> effects = makeCatalogue();

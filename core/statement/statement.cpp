@@ -26,7 +26,7 @@ std::vector<std::string> Statement::textsBelow(const Row& row) const {
     if (columns[i].title.empty())
       texts.push_back(row.cells[i]);
     else
-      //: title of a column and its cell: "cannot be told from: gravity sag"
+      //: title of a column and its cell: "indistinguishable: gravity sag"
       texts.push_back(Phrase::of("%1: %2", columns[i].title, row.cells[i]));
   }
   return texts;

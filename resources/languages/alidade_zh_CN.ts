@@ -3473,7 +3473,7 @@ a sentence and what it rests on: &quot;… (72 %): the radii differ by 13 σ&quo
 ----------
 a number of an effect and its size: &quot;tilt about x: 12.0″ (u 1.5)&quot;
 ----------
-title of a column and its cell: &quot;cannot be told from: gravity sag&quot;</extracomment>
+title of a column and its cell: &quot;indistinguishable: gravity sag&quot;</extracomment>
         <translation>%1：%2</translation>
     </message>
     <message>
@@ -8633,7 +8633,7 @@ as read</source>
     </message>
     <message>
         <source>%1 (stated)</source>
-        <extracomment>of a standard uncertainty: it stands in the session, or is what the program takes</extracomment>
+        <extracomment>a standard uncertainty, as stated in the session or as the program assumes it</extracomment>
         <translation>%1（给定）</translation>
     </message>
     <message>
@@ -9015,7 +9015,7 @@ a clause as a sentence</extracomment>
     </message>
     <message>
         <source>%1 × without a note</source>
-        <extracomment>%1: how many rows of readings were left out, %2: the note beside them</extracomment>
+        <extracomment>%1: the number of excluded rows, %2: their note</extracomment>
         <translation>%1 × 无备注</translation>
     </message>
     <message>
@@ -9028,7 +9028,7 @@ a clause as a sentence</extracomment>
     </message>
     <message>
         <source>%1 of %2 rows of readings: %3</source>
-        <extracomment>%3: how many for which reason</extracomment>
+        <extracomment>excluded rows; %3: their numbers by note, such as &quot;2 × “blunder”&quot;</extracomment>
         <translation>%2 行读数中的 %1 行：%3</translation>
     </message>
     <message>

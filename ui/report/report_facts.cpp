@@ -31,7 +31,7 @@ struct Provenance {
     if (!isStated) value = usual;
   }
   QString text() const {
-    //: of a standard uncertainty: it stands in the session, or is what the program takes
+    //: a standard uncertainty, as stated in the session or as the program assumes it
     return (isStated ? Report::tr("%1 (stated)") : Report::tr("%1 (default)")).arg(value);
   }
 };

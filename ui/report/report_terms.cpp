@@ -114,12 +114,12 @@ QString exclusionsText(const Session& session) {
       further += times;
       continue;
     }
-    //: %1: how many rows of readings were left out, %2: the note beside them
+    //: %1: the number of excluded rows, %2: their note
     parts.append(note.isEmpty() ? Report::tr("%1 × without a note").arg(times)
                                 : Report::tr("%1 × “%2”").arg(QString::number(times), note));
   }
   if (further > 0) parts.append(Report::tr("%1 × for other reasons").arg(further));
-  //: %3: how many for which reason
+  //: excluded rows; %3: their numbers by note, such as "2 × “blunder”"
   return Report::tr("%1 of %2 rows of readings: %3")
       .arg(QString::number(count), QString::number(rows), listText(parts));
 }
