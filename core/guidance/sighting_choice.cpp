@@ -90,6 +90,28 @@ class Remaining {
   }
 };
 
+/// The first of the ranked sightings that is left, and others nearly as informative; absent if none is left.
+std::optional<SightingChoice> mostInformative(const std::vector<NextSighting>& ranked,
+                                              const Remaining& left) {
+  constexpr double nearly = 0.9;
+  constexpr std::size_t most = 2;
+  std::optional<SightingChoice> choice;
+  for (const NextSighting& next : ranked) {
+    const Index index = left.indexOf(next);
+    if (!index) continue;
+    if (!choice) {
+      choice.emplace();
+      choice->next = *index;
+      choice->worth = next;
+    } else if (std::vector<std::size_t>& others = choice->alternatives;
+               others.size() < most && next.perMinute() >= nearly * choice->worth.perMinute() &&
+               *index != choice->next && std::ranges::find(others, *index) == others.end()) {
+      others.push_back(*index);
+    }
+  }
+  return choice;
+}
+
 /// Changes the choice to the first place of the last position once more, then to its closing zero, until both
 /// have been sighted.
 void close(SightingChoice& choice, const Remaining& left, const ArcMeasurement& arc) {
@@ -144,22 +166,7 @@ std::optional<SightingChoice> chooseSighting(const Measurement& measurement, con
   plan.canTurnAxis = left.canTurnAxis();
   auto state = sessionSoFar(measurement, plan);
   if (!state) return std::nullopt;
-  std::optional<SightingChoice> choice;
-  constexpr double nearly = 0.9;
-  constexpr std::size_t most = 2;
-  for (const NextSighting& next : state->ranked) {
-    const Index index = left.indexOf(next);
-    if (!index) continue;
-    if (!choice) {
-      choice.emplace();
-      choice->next = *index;
-      choice->worth = next;
-    } else if (std::vector<std::size_t>& others = choice->alternatives;
-               others.size() < most && next.perMinute() >= nearly * choice->worth.perMinute() &&
-               *index != choice->next && std::ranges::find(others, *index) == others.end()) {
-      others.push_back(*index);
-    }
-  }
+  std::optional<SightingChoice> choice = mostInformative(state->ranked, left);
   if (!choice) return std::nullopt;
   if (isEnough(*state) && !left.isTurned()) close(*choice, left, *last);
   choice->soFar = *std::move(state);

@@ -7,7 +7,6 @@
 #include <vector>
 
 #include "core/base/result.h"
-#include "core/diagnosis/next_sighting.h"
 #include "core/simulation/blind_trial.h"
 #include "core/simulation/protocol.h"
 

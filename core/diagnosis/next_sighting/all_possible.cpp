@@ -36,6 +36,19 @@ MatrixXd gramOfAll(const SightingEquations& equations) {
   return gram - gone.transpose() * gone;
 }
 
+/// Whether a trace of squared length `square` is closer than `thresholds.hardlyDifferent` σ to one of
+/// `effect`. `gram` has the inner products of all columns of effects, `trace` those with the trace.
+bool isHardlyDifferent(const Hypothesis& effect, const MatrixXd& gram, const VectorXd& trace, double square) {
+  constexpr double invisible = 1e-6;
+  MatrixXd own = gram.block(effect.first, effect.first, effect.count, effect.count);
+  own.diagonal().array() += invisible;
+  const VectorXd right = trace.segment(effect.first, effect.count);
+  if (effect.isBent) return differenceFromBent(own, right, square) < thresholds.hardlyDifferent;
+  const double left =
+      effect.widths ? square - right.dot(own.ldlt().solve(right)) : square - 2 * right[0] + own(0, 0);
+  return left < thresholds.hardlyDifferent * thresholds.hardlyDifferent;
+}
+
 }  // namespace
 
 IntersectionSoFar::IntersectionSoFar(const SightingEquations& equations)
@@ -89,18 +102,7 @@ std::vector<std::string> inseparableFrom(const Weighed& cause, const SightingEqu
   for (const Hypothesis& other : equations.hypotheses) {
     if (other.first == cause.first || other.first >= equations.effectColumns || other.priorOdds == 0)
       continue;
-    MatrixXd own = gram.block(other.first, other.first, other.count, other.count);
-    const VectorXd right = trace.segment(other.first, other.count);
-    constexpr double invisible = 1e-6;
-    own.diagonal().array() += invisible;
-    if (other.isBent) {
-      if (differenceFromBent(own, right, square) < thresholds.hardlyDifferent)
-        group.emplace_back(other.cause);
-      continue;
-    }
-    const double left =
-        other.widths ? square - right.dot(own.ldlt().solve(right)) : square - 2 * right[0] + own(0, 0);
-    if (left < thresholds.hardlyDifferent * thresholds.hardlyDifferent) group.emplace_back(other.cause);
+    if (isHardlyDifferent(other, gram, trace, square)) group.emplace_back(other.cause);
   }
   return group;
 }

@@ -23,6 +23,20 @@ const Sighting& latestOf(const Measurement& measurement, std::size_t& arc) {
   return *latest;
 }
 
+/// The number of intervals between this many rows, at least 1.
+double intervalsOf(std::size_t rows) {
+  return std::max(1.0, static_cast<double>(rows) - 1);
+}
+
+/// A sighting at the moment of the row after `last`.
+Sighting following(const Sighting& last, std::size_t rows) {
+  Sighting next;
+  next.order = last.order + 1;
+  next.sequence = last.sequence + 1;
+  next.elapsed = last.elapsed + 1 / intervalsOf(rows);
+  return next;
+}
+
 /// The round in which `point` would be sighted. It is that of the last visit if the slider is still there and
 /// `face` was not sighted, else a new one.
 int roundOf(const ArcMeasurement& arc, const Sighting& last, int point, int face) {
@@ -60,8 +74,7 @@ const Sighting* takenAt(const ArcMeasurement& arc, std::size_t taken, int point)
 }  // namespace
 
 void countElapsedFrom(Measurement& measurement, std::size_t rows) {
-  const auto gaps = [](std::size_t count) { return std::max(1.0, static_cast<double>(count) - 1); };
-  const double share = gaps(measurement.rows) / gaps(rows);
+  const double share = intervalsOf(measurement.rows) / intervalsOf(rows);
   for (ArcMeasurement& arc : measurement.arcs) {
     arc.zero.elapsed *= share;
     for (SightedZero& zero : arc.zeroSightings) zero.elapsed *= share;
@@ -76,10 +89,7 @@ PossibleSightings possibleSightings(const Measurement& taken, const SightingPlan
   countElapsedFrom(all, plan.rows);
   std::size_t current = 0;
   const Sighting last = latestOf(all, current);
-  Sighting next;
-  next.order = last.order + 1;
-  next.sequence = last.sequence + 1;
-  next.elapsed = last.elapsed + 1 / std::max(1.0, static_cast<double>(plan.rows) - 1);
+  Sighting next = following(last, plan.rows);
   all.arcs.push_back(arcAfterTurn(taken, taken.arcs[current], next));
   for (const ArcMeasurement& arc : all.arcs) session.taken.push_back(arc.sightings.size());
   const auto add = [&](std::size_t index, const SightingPlace& place, int face) {
