@@ -15,8 +15,6 @@ namespace alidade {
 
 struct GapModel;
 
-struct GapModel;
-
 struct Visibility {
   double sigma = 0;  ///< length of the trace: √χ² of the leftover, stated σ
   /// Look-alikes of the effect in these readings: closer than `clearlyDifferent` σ.

@@ -28,7 +28,7 @@ class GapJob : public QObject {
   void setWatched(bool watched);
   /// Sets whether later requests include the reference as evidence for the causes. Off at first. Returns
   /// false if it is so already.
-  void setWithReference(bool withReference);
+  bool setWithReference(bool withReference);
   bool isIdle() const { return !m_wanted; }  ///< nothing remains to be delivered
   bool isAtWork() const { return m_work.isAtWork(); }
 
