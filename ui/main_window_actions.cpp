@@ -237,12 +237,13 @@ void WindowActions::addSuspectActions(QMenu& menu) {
   connect(reason, &ChangeReasonBar::askingChanged, state, &QAction::setEnabled);
 }
 
-/// Adds the actions for further rows (way back, another round), and for moving to an entry.
+/// Adds the actions for further rows (return run, another round), and for moving to an entry.
 void WindowActions::addEntryActions(QMenu& menu) {
   QMenu* rows = menu.addMenu(tr("Add Ro&ws"));
-  const std::pair<QString, FurtherRows> ways[] = {{tr("&Way Back"), FurtherRows::WayBack},
-                                                  {tr("Way Back in Other &Face"), FurtherRows::WayBackInTwo},
-                                                  {tr("Another &Round"), FurtherRows::AnotherRound}};
+  const std::pair<QString, FurtherRows> ways[] = {
+      {tr("Re&turn Run"), FurtherRows::WayBack},
+      {tr("Return Run in Other &Face"), FurtherRows::WayBackInTwo},
+      {tr("Another &Round"), FurtherRows::AnotherRound}};
   for (const auto& [text, which] : ways)
     addTo(*rows, nullptr, text, {}, this, [this, way = which] {
       m_window.commitPending();

@@ -193,8 +193,9 @@ std::string cleanRangeSentence(const FoundForm& found) {
   std::vector<std::string> ranges;
   for (const auto& [from, to] : found.cleanRange)
     ranges.push_back(displayText(from, decimals) + unit + "…" + displayText(to, decimals) + unit);
-  return Phrase::of("The model holds where %1 is within %2: the form is below the σ of a reading there.", x,
-                    listed(ranges));
+  return Phrase::of(
+      "The model holds where %1 is within %2: the form displaces readings there by less than their σ.", x,
+      listed(ranges));
 }
 
 std::string shrinkSentence(const FoundForm& found) {

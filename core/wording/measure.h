@@ -7,9 +7,9 @@
 
 namespace alidade {
 
-/// "both faces", "the way back", …
+/// "both faces", "a return run", …
 std::string textOf(Measure measure);
-/// "both faces and the way back".
+/// "both faces and a return run".
 std::string textOf(const std::vector<Measure>& measures);
 /// "both faces (in a new session)" if the measures require a new session, otherwise "… (in addition)".
 std::string howTo(const std::vector<Measure>& measures);

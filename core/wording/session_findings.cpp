@@ -95,7 +95,7 @@ Words wordsOf(const CorrectionsDiffer& finding) {
 Words wordsOf(const TiltsUnused&) {
   return {Phrase::of("The compensator's tilts are not used: the readings do not state whether the instrument "
                      "has already corrected for them."),
-          Phrase::of("For every reading, state which corrections were on, or state none.")};
+          Phrase::of("For every reading, state which corrections were on; type “none” if all were off.")};
 }
 
 Words wordsOf(const AxisMoved& finding) {

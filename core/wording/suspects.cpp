@@ -87,7 +87,7 @@ std::string sentenceOf(const Proposal& proposal) {
 }
 
 std::string faultOf(const Suspect& suspect) {
-  if (suspect.where.field == "face") return Phrase::of("the other face");
+  if (suspect.where.field == "face") return Phrase::of("the wrong face");
   return std::isfinite(suspect.size.radians()) ? Phrase::of("off by %1", signedSize(suspect.size))
                                                : Phrase::of("not an angle");
 }

@@ -19,7 +19,7 @@ std::string sentenceOf(const Proposal& proposal);
 
 /// "0°, point 5, vertical"; with round and face unless they are 1.
 std::string nameOf(const Suspect& suspect);
-/// "off by +59.8″", "the other face", "not an angle".
+/// "off by +59.8″", "the wrong face", "not an angle".
 std::string faultOf(const Suspect& suspect);
 /// What was most probably meant, or the request to read again.
 std::string intentionOf(const Suspect& suspect);

@@ -118,7 +118,8 @@ std::string acrossText(const Measurement& measurement, const Diagnosis* diagnosi
     return "";
   const MeasuredLength& across = *diagnosis->measured->across;
   return Phrase::of(
-      "Only the plane of the arc is judged: across it, the arc's centre is %1 from the axis.",
+      "The verdict covers only the plane of the arc; perpendicular to it, the arc's centre is %1 from the "
+      "axis.",
       lengthWithUncertainty(std::abs(across.value), across.expanded, decimalsFor(across.expanded)));
 }
 

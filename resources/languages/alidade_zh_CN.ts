@@ -3356,10 +3356,6 @@ Sealed by:</source>
         <translation>%1：%2；改正后残差为 %3。</translation>
     </message>
     <message>
-        <source>the other face</source>
-        <translation>应为另一盘位</translation>
-    </message>
-    <message>
         <source>off by %1</source>
         <translation>偏差 %1</translation>
     </message>
@@ -3814,7 +3810,7 @@ title of a column and its cell: &quot;indistinguishable: gravity sag&quot;</extr
     </message>
     <message>
         <source>A level with only one value may be an outlier: measure once more before acting on it.</source>
-        <translation>仅由一个值支撑的水平可能是离群值：采取措施前请再测一次。</translation>
+        <translation>只含一个值的阶段可能是离群值：采取措施前请再测一次。</translation>
     </message>
     <message>
         <source>The value of %1 is an outlier: look for what was different that day, such as a misread value or another set-up, before assuming a change.</source>
@@ -4084,10 +4080,6 @@ title of a column and its cell: &quot;indistinguishable: gravity sag&quot;</extr
     <message>
         <source>The compensator&apos;s tilts are not used: the readings do not state whether the instrument has already corrected for them.</source>
         <translation>补偿器的倾斜量未采用：读数没有说明仪器是否已作倾斜改正。</translation>
-    </message>
-    <message>
-        <source>For every reading, state which corrections were on, or state none.</source>
-        <translation>请在每个读数中注明打开了哪些改正，或注明 none。</translation>
     </message>
     <message>
         <source>According to the compensator, the vertical axis moved by %1″ from one position to another.</source>
@@ -5533,10 +5525,6 @@ title of a column and its cell: &quot;indistinguishable: gravity sag&quot;</extr
         <translation>计入全部效应，圆心到回转轴的距离为 %1：圆弧平面内 %2（Δd），垂直于该平面 %3（Δz）。该区间%4。</translation>
     </message>
     <message>
-        <source>Only the plane of the arc is judged: across it, the arc&apos;s centre is %1 from the axis.</source>
-        <translation>仅评定圆弧平面内的量：在垂直于该平面的方向上，圆心距回转轴 %1。</translation>
-    </message>
-    <message>
         <source>With a probability of %1 the gap is real and no catalogued effect explains it.</source>
         <translation>差距确实存在且目录中没有效应可以解释的概率：%1。</translation>
     </message>
@@ -5914,10 +5902,6 @@ title of a column and its cell: &quot;indistinguishable: gravity sag&quot;</extr
         <translation>此形式使读数的偏移在 %1 的整个范围内均大于其 σ。</translation>
     </message>
     <message>
-        <source>The model holds where %1 is within %2: the form is below the σ of a reading there.</source>
-        <translation>%1 在 %2 之内时模型成立：此处该形式小于一个读数的 σ。</translation>
-    </message>
-    <message>
         <source>is one effect too many: a session may have at most %1</source>
         <translation>效应过多：一份测量记录最多 %1 个</translation>
     </message>
@@ -6166,7 +6150,7 @@ title of a column and its cell: &quot;indistinguishable: gravity sag&quot;</extr
     </message>
     <message>
         <source>Each value enters the uncertainty and the search for causes with its u; the prior probability that it is out of date is one in fifty. A dash: these readings are too weak to check it.</source>
-        <translation>每一值以其 u 参与不确定度及原因的寻找；其已过时的先验概率为五十分之一。短横表示这些读数不足以检核该值。</translation>
+        <translation>每个值以其 u 计入不确定度，并用于查找原因；其已过时的先验概率为五十分之一。短横表示这些读数不足以检核该值。</translation>
     </message>
     <message>
         <source>Sizes that would explain Δd − reference</source>
@@ -7280,7 +7264,7 @@ Includes every catalogued effect, limited by these readings or by its plausible 
     </message>
     <message>
         <source>a return run</source>
-        <translation>返程测量</translation>
+        <translation>返测</translation>
     </message>
     <message>
         <source>%1 (in a new session)</source>
@@ -7517,10 +7501,6 @@ Includes every catalogued effect, limited by these readings or by its plausible 
     <message>
         <source>each must be the path of a session in quotation marks</source>
         <translation>每一项必须是引号内的测量记录路径</translation>
-    </message>
-    <message>
-        <source>must be a number of sessions</source>
-        <translation>必须是测量次数</translation>
     </message>
     <message>
         <source>the series names no session: add one</source>
@@ -7900,10 +7880,6 @@ Includes every catalogued effect, limited by these readings or by its plausible 
         <translation>按每分钟的信息量，%1 最佳（需 %2 min）：可显示是否还有%3。</translation>
     </message>
     <message>
-        <source>%1 min is no duration of a step of a sighting: type 0 to 1000</source>
-        <translation>%1 min 不是照准步骤的时间：请输入 0 至 1000</translation>
-    </message>
-    <message>
         <source>an uncatalogued effect</source>
         <translation>目录之外的效应</translation>
     </message>
@@ -8104,6 +8080,26 @@ Includes every catalogued effect, limited by these readings or by its plausible 
         <source>amplitude</source>
         <translation>幅值</translation>
     </message>
+    <message>
+        <source>must be a whole number of sessions, 0 to 1 000 000</source>
+        <translation>必须是测量记录的份数：0 至 1 000 000 的整数</translation>
+    </message>
+    <message>
+        <source>%1 min is out of range: turning the axis, plunging or driving the slider takes 0 to 1000 min</source>
+        <translation>%1 min 超出范围：转动轴、倒镜或移动滑块的用时为 0 至 1000 min</translation>
+    </message>
+    <message>
+        <source>The model holds where %1 is within %2: the form displaces readings there by less than their σ.</source>
+        <translation>%1 在 %2 之内时模型成立：此处该形式使读数的偏移小于其 σ。</translation>
+    </message>
+    <message>
+        <source>For every reading, state which corrections were on; type “none” if all were off.</source>
+        <translation>请为每个读数注明打开了哪些改正；若全部关闭，请输入 none。</translation>
+    </message>
+    <message>
+        <source>The verdict covers only the plane of the arc; perpendicular to it, the arc&apos;s centre is %1 from the axis.</source>
+        <translation>仅评定圆弧平面内的量：在垂直于该平面的方向上，圆心距回转轴 %1。</translation>
+    </message>
 </context>
 <context>
     <name>PlaceText</name>
@@ -8140,14 +8136,6 @@ Includes every catalogued effect, limited by these readings or by its plausible 
         <translation>自定义效应 %1</translation>
     </message>
     <message>
-        <source>known size of the device</source>
-        <translation>设备的已知量值</translation>
-    </message>
-    <message>
-        <source>known size of the instrument</source>
-        <translation>仪器的已知量值</translation>
-    </message>
-    <message>
         <source>own effects</source>
         <translation>自定义效应</translation>
     </message>
@@ -8159,6 +8147,14 @@ Includes every catalogued effect, limited by these readings or by its plausible 
     <message>
         <source>%1: %2</source>
         <translation>%1：%2</translation>
+    </message>
+    <message>
+        <source>known value of the device</source>
+        <translation>设备的已知值</translation>
+    </message>
+    <message>
+        <source>known value of the instrument</source>
+        <translation>仪器的已知值</translation>
     </message>
 </context>
 <context>
@@ -8346,10 +8342,6 @@ as read</source>
         <translation>改正</translation>
     </message>
     <message>
-        <source>Corrections that the instrument applied: inclination, standing_axis, collimation, tilting_axis or none; empty means not known</source>
-        <translation>仪器已施加的改正：inclination、standing_axis、collimation、tilting_axis 或 none；留空表示未知</translation>
-    </message>
-    <message>
         <source>corrections</source>
         <translation>改正</translation>
     </message>
@@ -8408,6 +8400,10 @@ as read</source>
     <message>
         <source>Rows without a tick are kept but excluded from the fit</source>
         <translation>未勾选的行保留，但不参与拟合</translation>
+    </message>
+    <message>
+        <source>Corrections that the instrument applied. Type inclination (compensator), standing_axis (vertical axis), collimation, tilting_axis (trunnion axis) or none; leave the cell empty if they are unknown</source>
+        <translation>仪器已施加的改正。请输入 inclination（补偿器倾斜）、standing_axis（竖轴）、collimation（照准差）、tilting_axis（横轴）或 none（均未施加）；未知则留空</translation>
     </message>
 </context>
 <context>
@@ -11213,7 +11209,7 @@ a clause as a sentence</extracomment>
     </message>
     <message>
         <source>levels</source>
-        <translation>各水平</translation>
+        <translation>各段均值</translation>
     </message>
     <message>
         <source>mean</source>
@@ -12814,10 +12810,6 @@ a clause as a sentence</extracomment>
         <translation>编辑方案</translation>
     </message>
     <message>
-        <source>there</source>
-        <translation>往测</translation>
-    </message>
-    <message>
         <source>there and back</source>
         <translation>往返测</translation>
     </message>
@@ -12928,6 +12920,10 @@ a clause as a sentence</extracomment>
     <message>
         <source>&amp;Driving the slider takes</source>
         <translation>移动滑块需(&amp;D)</translation>
+    </message>
+    <message>
+        <source>one way</source>
+        <translation>仅往测</translation>
     </message>
 </context>
 <context>
@@ -14764,14 +14760,6 @@ a clause as a sentence</extracomment>
         <translation>添加行(&amp;W)</translation>
     </message>
     <message>
-        <source>&amp;Way Back</source>
-        <translation>返测(&amp;W)</translation>
-    </message>
-    <message>
-        <source>Way Back in Other &amp;Face</source>
-        <translation>另一盘位返测(&amp;F)</translation>
-    </message>
-    <message>
         <source>Another &amp;Round</source>
         <translation>再一测回(&amp;R)</translation>
     </message>
@@ -14982,6 +14970,14 @@ a clause as a sentence</extracomment>
     <message>
         <source>Instrument &amp;Records…</source>
         <translation>仪器档案(&amp;R)…</translation>
+    </message>
+    <message>
+        <source>Re&amp;turn Run</source>
+        <translation>返测(&amp;T)</translation>
+    </message>
+    <message>
+        <source>Return Run in Other &amp;Face</source>
+        <translation>另一盘位返测(&amp;F)</translation>
     </message>
 </context>
 <context>

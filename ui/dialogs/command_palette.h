@@ -12,7 +12,7 @@ class QMenuBar;
 
 namespace alidade::ui {
 
-/// Every command of the menus in one list, filtered by typing: "way ba" finds Edit › Add Rows › Way Back.
+/// Every command of the menus in one list, filtered by typing: "ret ru" finds Edit › Add Rows › Return Run.
 /// Enter chooses the current command.
 class CommandPalette : public QDialog {
   Q_OBJECT

@@ -73,7 +73,7 @@ ProtocolDialog::ProtocolDialog(const SightingProtocol& protocol, CircleUnit unit
       m_remark(new QLabel),
       m_buttons(new QDialogButtonBox(QDialogButtonBox::Ok | QDialogButtonBox::Cancel)) {
   setWindowTitle(tr("Edit Protocol"));
-  m_way->addItems({tr("there"), tr("there and back")});
+  m_way->addItems({tr("one way"), tr("there and back")});
   m_faces->addItems({qText(faceName(1)), qText(faceName(2)), tr("both, 1 then 2"), tr("both, 2 then 1"),
                      tr("both, 1 2 2 1"), tr("changing from round to round")});
   m_positions->addItems(

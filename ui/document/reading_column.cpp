@@ -101,18 +101,19 @@ constexpr std::array columns{
                       .widest = "−188.88",
                       .printedTitle = nullptr,
                       .printedWidth = 0},
-    ReadingColumnInfo{
-        .column = ReadingColumn::Corrections,
-        .field = &rowField(&Reading::corrections),
-        .title = QT_TRANSLATE_NOOP("ReadingColumn", "Corrections"),
-        .toolTip = QT_TRANSLATE_NOOP("ReadingColumn",
-                                     "Corrections that the instrument applied: inclination, standing_axis, "
-                                     "collimation, tilting_axis or none; empty means not known"),
-        .noun = QT_TRANSLATE_NOOP("ReadingColumn", "corrections"),
-        .menuText = QT_TRANSLATE_NOOP("ReadingColumn", "Corrections Column"),
-        .widest = "inclination none",
-        .printedTitle = nullptr,
-        .printedWidth = 0},
+    ReadingColumnInfo{.column = ReadingColumn::Corrections,
+                      .field = &rowField(&Reading::corrections),
+                      .title = QT_TRANSLATE_NOOP("ReadingColumn", "Corrections"),
+                      .toolTip = QT_TRANSLATE_NOOP(
+                          "ReadingColumn",
+                          "Corrections that the instrument applied. Type inclination (compensator), "
+                          "standing_axis (vertical axis), collimation, tilting_axis (trunnion axis) "
+                          "or none; leave the cell empty if they are unknown"),
+                      .noun = QT_TRANSLATE_NOOP("ReadingColumn", "corrections"),
+                      .menuText = QT_TRANSLATE_NOOP("ReadingColumn", "Corrections Column"),
+                      .widest = "inclination none",
+                      .printedTitle = nullptr,
+                      .printedWidth = 0},
     ReadingColumnInfo{.column = ReadingColumn::TakenAt,
                       .field = &rowField(&Reading::takenAt),
                       .title = QT_TRANSLATE_NOOP("ReadingColumn", "Taken at"),

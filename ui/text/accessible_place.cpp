@@ -46,8 +46,8 @@ QString ownEffectName(std::string_view field) {
 QString knownEntryName(const std::string& name) {
   const auto known = knownAt({.field = name});
   if (!known) return {};
-  return known->ref.owner == KnownOwner::Device ? PlaceText::tr("known size of the device")
-                                                : PlaceText::tr("known size of the instrument");
+  return known->ref.owner == KnownOwner::Device ? PlaceText::tr("known value of the device")
+                                                : PlaceText::tr("known value of the instrument");
 }
 
 }  // namespace

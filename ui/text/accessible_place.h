@@ -12,7 +12,7 @@ QString accessibleRow(std::size_t row, const std::string& point);
 
 /// The common name of a row's field, such as "vertical reading"; else `name` with hidden characters visible.
 QString rowFieldName(const std::string& name);
-/// The common name of a field of a position or of the session: "distance L", "model effects", "known size of
+/// The common name of a field of a position or of the session: "distance L", "model effects", "known value of
 /// the instrument"; else `name` with hidden characters made visible.
 QString sessionFieldName(const std::string& name);
 

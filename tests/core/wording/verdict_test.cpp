@@ -119,7 +119,7 @@ TEST(VerdictSentence, NamesWhatItIsAbout) {
   EXPECT_THAT(
       sentenceOf(measurement, fit, &diagnosis),
       HasSubstr(
-          "Only the plane of the arc is judged: across it, the arc's centre is 2.00 mm ± 0.20 mm from the "
+          "The verdict covers only the plane of the arc; perpendicular to it, the arc's centre is 2.00 mm ± 0.20 mm from the "
           "axis."));
 }
 

@@ -55,10 +55,10 @@ TEST(CommandPalette, IsNarrowedDownByTheBeginningsOfWords) {
   open->document().startWith(paperSession());
   CommandPalette palette(*open->menuBar(), open.window.get());
   auto* line = palette.findChild<QLineEdit*>();
-  line->setText(QStringLiteral("ro way ba"));
+  line->setText(QStringLiteral("ro ret ru"));
   ASSERT_EQ(listed(palette).size(), 2);
-  EXPECT_THAT(listed(palette)[0].toStdString(), HasSubstr("Edit › Add Rows › Way Back"));
-  line->setText(QStringLiteral("ack"));
+  EXPECT_THAT(listed(palette)[0].toStdString(), HasSubstr("Edit › Add Rows › Return Run"));
+  line->setText(QStringLiteral("eturn"));
   EXPECT_TRUE(listed(palette).isEmpty()) << "no word begins so";
   line->setText(QStringLiteral("save"));
   EXPECT_THAT(listed(palette).join(u'\n').toStdString(), HasSubstr("Ctrl+S"));

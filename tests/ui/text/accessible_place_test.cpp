@@ -57,7 +57,7 @@ TEST(AccessiblePlace, NamesWhatIsKnownByTheNumber) {
   };
   EXPECT_EQ(accessible("device.known[0].sigma"), "known size of plane tilt, tilt about x, u");
   EXPECT_EQ(accessible("device.known[1]"), "known size of moon\\u202elight");
-  EXPECT_EQ(accessible("device.known[2].sigma"), "known size of the device") << "it is gone";
+  EXPECT_EQ(accessible("device.known[2].sigma"), "known value of the device") << "it is gone";
 }
 
 TEST(AccessiblePlace, TellsAPositionMeasuredAgainFromTheFirst) {

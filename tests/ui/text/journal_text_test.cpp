@@ -19,8 +19,8 @@ TEST(JournalText, NamesEachPlaceAsThePageDoes) {
   EXPECT_EQ(placeOf("positions[1].readings[2].vertical"), "180°, row 3 (point 7), vertical reading");
   EXPECT_EQ(placeOf("positions[1].readings[2]"), "180°, row 3 (point 7)");
   EXPECT_EQ(placeOf("model.effects"), "model effects");
-  EXPECT_EQ(placeOf("instrument.known[1]"), "known size of the instrument");
-  EXPECT_EQ(placeOf("device.known[0]"), "known size of the device");
+  EXPECT_EQ(placeOf("instrument.known[1]"), "known value of the instrument");
+  EXPECT_EQ(placeOf("device.known[0]"), "known value of the device");
   EXPECT_EQ(placeOf("own_effects"), "own effects");
   EXPECT_EQ(placeOf("moon.light"), "moon.light") << "of a later version";
 }
