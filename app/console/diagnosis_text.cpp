@@ -1,11 +1,9 @@
 #include "app/console/diagnosis_text.h"
 
-#include <algorithm>
-
 #include "app/console/text_layout.h"
-#include "core/base/list_text.h"
 #include "core/base/number_text.h"
 #include "core/statement/gap.h"
+#include "core/wording/effect_name.h"
 #include "core/wording/form_sentence.h"
 #include "core/wording/size_text.h"
 
@@ -29,8 +27,8 @@ namespace {
 
 /// "0.180 mm (u 0.003)"; an exact number, such as an order, is without uncertainty.
 std::string sizeOf(const FormNumber& number) {
-  return number.sigma > 0 ? sizeWithStandard(number.value, number.sigma, unitOf(number))
-                          : displayShortest(number.value);
+  return isExact(number.value, number.sigma) ? displayShortest(number.value) + signOf(unitOf(number))
+                                             : sizeWithStandard(number.value, number.sigma, unitOf(number));
 }
 
 }  // namespace

@@ -20,7 +20,7 @@ std::string shortened(Statement statement) {
   const std::size_t rows = statement.rows.size();
   if (rows <= mostRows) return statementText(statement);
   statement.rows.resize(mostRows);
-  statement.sentences.push_back("and " + std::to_string(rows - mostRows) + " more; --json has all");
+  statement.sentences.push_back("and " + std::to_string(rows - mostRows) + " more rows; --json has all");
   return statementText(statement);
 }
 

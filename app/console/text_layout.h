@@ -26,7 +26,7 @@ std::string paragraph(std::string_view text, std::size_t indent = 0, std::size_t
 /// An empty line, the table under its title, the sentences and the note. Empty without rows and sentences.
 std::string statementText(const Statement& statement);
 
-/// The block "Findings"; empty without findings.
+/// An empty line and the block "Findings"; empty without findings.
 std::string findingsText(const std::vector<Finding>& findings);
 
 }  // namespace alidade::console

@@ -10,8 +10,9 @@
 namespace alidade {
 
 /// Returns a table of the results, one quantity in each row: Δd, measured and fit only; Δz and the distance
-/// from the axis, if measured; |O1 − O2|/2; centre, radius and rms of each arc. Lengths are in mm, y up,
-/// angles in arcseconds, as the unit of the row states. A cell is empty if its number is not finite.
+/// from the axis, if measured; |O1 − O2|/2; of each arc centre, radius, number of sightings, rms, reduced χ²
+/// and redundancy. Lengths are in mm, y up, rms in arcseconds, as the unit of the row states; counts and
+/// ratios have none. A cell is empty if its number is not finite.
 std::string resultsCsv(const FitAnswer& answer);
 
 /// Returns a table of the contributions to every uncertainty. `quantity` is `intersection_as_measured` (with

@@ -6,6 +6,7 @@
 #include "core/evaluation/guide.h"
 #include "core/guidance/outlook.h"
 #include "core/session/session.h"
+#include "core/session/sighting_protocol.h"
 
 namespace alidade {
 

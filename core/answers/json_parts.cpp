@@ -1,6 +1,5 @@
 #include "core/answers/json_parts.h"
 
-#include <cmath>
 #include <nlohmann/json.hpp>
 
 #include "core/wording/measure.h"

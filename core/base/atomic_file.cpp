@@ -68,7 +68,9 @@ int Passage::writeTemporary() {
   if (error == 0 && m_target.kind == FileTarget::Kind::File) {
     // A refused step is not an error. Without the old file's access list, the group gets no rights. A group
     // that did not have the old file gets only the rights of all others.
-    const bool isGroupKept = m_calls.changeGroup(file, m_target.group) == 0;
+    struct stat now = {};
+    const bool isGroupKept = m_calls.changeGroup(file, m_target.group) == 0 ||
+                             (fstat(file, &now) == 0 && now.st_gid == m_target.group);
     const mode_t withoutGroup = m_target.mode & ~mode_t{S_IRWXG};
     [[maybe_unused]] const int ofMode = fchmod(file, withoutGroup);
     if (copyFileAttributes(m_target.path, file)) {

@@ -4,6 +4,7 @@
 #include <sys/types.h>
 #include <unistd.h>
 
+#include <cstddef>
 #include <cstdio>
 #include <functional>
 #include <optional>
@@ -58,9 +59,10 @@ struct FileContent {
                                                 const std::vector<std::string>& inputs,
                                                 const FileCalls& calls = {});
 
-/// Copies the access list and the other extended attributes of the file `from` to the open file `to`, if the
-/// system allows it. An access list that `to` inherited from its folder is removed. False if `to` lacks the
-/// access list of `from`: the group bits of the mode, the list's mask, must then not be copied.
+/// Used by `writeFile`. Copies the access list and the other extended attributes of the file `from` to the
+/// open file `to`, if the system allows it. An access list that `to` inherited from its folder is removed.
+/// False if `to` lacks the access list of `from`: the group bits of the mode, the list's mask, must then not
+/// be copied.
 bool copyFileAttributes(const std::string& from, int to);
 
 /// The ending of our temporary files: `.alidade-4711-1.tmp`, where 4711 is the number of the process.

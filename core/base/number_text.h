@@ -22,7 +22,7 @@ std::string shortestText(double value);
 std::string fixedText(double value, int decimals);
 
 // Numbers for sentences, screen and paper: a decimal point, a real minus sign (−), never "−0.0", and an em
-// dash if not finite. Files use the functions above instead.
+// dash if not finite; and their decimals. Files use the functions above instead.
 
 /// `value` with `decimals` (0…9) places: "−0.835".
 std::string displayText(double value, int decimals);

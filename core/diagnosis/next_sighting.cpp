@@ -8,6 +8,7 @@
 #include "core/diagnosis/evidence/gain.h"
 #include "core/diagnosis/next_sighting/all_possible.h"
 #include "core/diagnosis/next_sighting/weighed.h"
+#include "core/diagnosis/result/thresholds.h"
 #include "core/effects/cause_ids.h"
 
 namespace alidade {
@@ -104,16 +105,15 @@ std::vector<WeighedCause> listOf(const WeighedCauses& causes, const Weighed& fir
 }
 
 bool isCertain(const std::vector<std::string>& group, const std::vector<WeighedCause>& causes) {
-  constexpr double certain = 0.95;
-  return probabilityOf(group, causes) >= certain;
+  return probabilityOf(group, causes) >= thresholds.certain;
 }
 
 /// Whether the residuals with the cause are no more than noise. The redundancy must suffice for this test.
 bool leavesOnlyNoise(const WeighedCauses& causes, const Weighed& cause) {
-  constexpr double noMore = 1e-3, leastRedundancy = 12;
+  constexpr double leastRedundancy = 12;
   const double left = causes.degreesOfFreedom() - static_cast<double>(cause.weights.size());
   if (left < leastRedundancy) return false;
-  return chiSquareUpperTail(causes.chiSquareAfter(cause), DegreesOfFreedom(left)).value_or(1) > noMore;
+  return chiSquareUpperTail(causes.chiSquareAfter(cause), DegreesOfFreedom(left)).value_or(1) > improbable;
 }
 
 /// The group of a second cause that is certain given the first. The first must also be certain given the

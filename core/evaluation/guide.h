@@ -10,6 +10,7 @@
 #include "core/guidance/sighting_choice.h"
 #include "core/guidance/sightings_to_repeat.h"
 #include "core/session/protocol_progress.h"
+#include "core/session/sighting_protocol.h"
 
 namespace alidade {
 

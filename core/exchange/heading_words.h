@@ -55,7 +55,7 @@ enum class HeadingRole {
 /// Does `word`, as `headingWords` gives it, have this meaning?
 bool means(HeadingRole role, std::string_view word);
 
-/// The words of a heading, folded (folded_text.h) and split at blanks and punctuation. The signs ° ' " and #
+/// The words of a heading, folded (`foldedText`) and split at blanks and punctuation. The signs ° ' " and #
 /// are words of their own; text without blanks (水平角读数) is split where known words end.
 std::vector<std::string> headingWords(std::string_view heading);
 

@@ -65,6 +65,7 @@ class Remaining {
   }
 
   /// Index of a possible sighting or of the zero due before it; absent if none is left at its place and face.
+  /// A sighting that turns the axis requires `canTurnAxis()`.
   Index indexOf(const NextSighting& next) const {
     if (!next.turnsAxis) return m_isTurned ? Index() : place(*m_here, next.point, next.face);
     const Index there = place(*m_other, next.point, next.face), zeroBefore = zero(*m_other, false);

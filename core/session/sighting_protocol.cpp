@@ -37,7 +37,9 @@ constexpr NumberRule minutesRule{
     .lowBound = Bound::Included,
     .high = 1000,
     .fallback = {},
-    .refusal = PHRASE_LATER("Phrase", "%1 min is out of range: turning the axis, plunging or driving the slider takes 0 to 1000 min")};
+    .refusal = PHRASE_LATER(
+        "Phrase",
+        "%1 min is out of range: turning the axis, plunging or driving the slider takes 0 to 1000 min")};
 
 constexpr std::pair<const char*, double SightingMinutes::*> partsOfMinutes[] = {
     {"turning_axis", &SightingMinutes::turningAxis},

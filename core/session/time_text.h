@@ -11,7 +11,7 @@ namespace alidade {
 /// month. Other texts, such as 3/4/2026 or a day that does not exist, are returned as typed.
 std::string completedDay(const std::string& typed);
 
-/// Is the entry with this key in the session file a day?
+/// Whether the entry with this key in the session file is a day, to be completed by `completedDay`.
 bool isDay(std::string_view key);
 
 /// A moment such as `2026-03-01T10:12:13.5+01:00` (ISO 8601) in minutes since 1970-01-01T00:00Z. A blank may

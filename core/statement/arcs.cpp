@@ -136,7 +136,7 @@ Statement effectTable(const std::vector<EffectEstimate>& effects) {
     const int decimals = decimalsFor(estimate.sigma);
     const std::string effect = effectName(estimate.effect), unit = signOf(estimate.unit);
     statement.rows.push_back(
-        {{estimate.effect.ends_with(estimate.name) ? effect : listed({effect, parameterName(estimate.name)}),
+        {{isNamedBy(estimate.effect, estimate.name) ? effect : listed({effect, parameterName(estimate.name)}),
           displayText(estimate.value, decimals) + unit, displayText(estimate.sigma, decimals) + unit}});
   }
   return statement;

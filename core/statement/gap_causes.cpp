@@ -106,8 +106,7 @@ class Rows {
   }
 
   std::string sizeOf(double value, double sigma, const std::string& unit) const {
-    constexpr double exact = 1e-6;  // of |value|; a smaller σ means an exact number, such as an order
-    if (!(sigma > exact * std::abs(value))) return displayShortest(value) + signOf(unit);
+    if (isExact(value, sigma)) return displayShortest(value) + signOf(unit);
     return sizeWithExpanded(value, m_coverage * sigma, unit);
   }
 

@@ -22,9 +22,9 @@ Statement gapWhere(const std::vector<GapShare>& where) {
     std::vector<std::string> parts;
     for (auto share = first; share != end; ++share)
       if (share->share >= least)
-        parts.push_back(visibleText(partName(*share)) + " " + displayText(100 * share->share, 0) + " %");
+        parts.push_back(visibleText(partName(*share)) + " (" + displayText(100 * share->share, 0) + " %)");
     if (end - first > 1 && !parts.empty())
-      //: a division of the readings and its parts: "belongs to: guideway 80 %, noise 20 %"
+      //: a division of the readings and its parts: "belongs to: guideway (80 %), noise (20 %)"
       statement.sentences.push_back(Phrase::of("%1: %2", divisionName(*first), listed(parts)));
     first = end;
   }

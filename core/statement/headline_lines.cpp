@@ -219,20 +219,20 @@ std::vector<Line> headlineLines(const Measurement& measurement, const SessionFit
                                 const Diagnosis* diagnosis, const AcceptanceDecision* decision,
                                 const std::vector<Dependence>& dependences) {
   std::vector<Line> lines;
-  const auto warn = [&](Line::Kind kind, std::string text, bool isWarning = true) {
+  const auto add = [&](Line::Kind kind, std::string text, bool isWarning = true) {
     if (!text.empty()) lines.push_back({.kind = kind, .text = std::move(text), .isWarning = isWarning});
   };
   const bool isJumpStated = decision && !decision->conditions.empty(),
              isOpen = decision && decision->verdict == Verdict::Undecided;
   const MeasuredIntersection* measured = diagnosis && diagnosis->measured ? &*diagnosis->measured : nullptr;
-  warn(Line::Kind::Interval, intervalText(measurement, fit, estimateIn(fit, diagnosis), measured, decision));
+  add(Line::Kind::Interval, intervalText(measurement, fit, estimateIn(fit, diagnosis), measured, decision));
   if (measured) lines.push_back(acrossLine(measurement, *measured));
-  if (diagnosis && hasGap(*diagnosis)) warn(Line::Kind::Gap, gapText(*diagnosis, decision));
-  if (diagnosis && isJumpStated) warn(Line::Kind::Jump, jumpText(*diagnosis, *decision));
-  warn(Line::Kind::Row, dependenceText(dependences));
+  if (diagnosis && hasGap(*diagnosis)) add(Line::Kind::Gap, gapText(*diagnosis, decision));
+  if (diagnosis && isJumpStated) add(Line::Kind::Jump, jumpText(*diagnosis, *decision));
+  add(Line::Kind::Row, dependenceText(dependences));
   if (diagnosis)
-    warn(Line::Kind::Undetectable,
-         undetectableText(*diagnosis, estimateIn(fit, diagnosis).expanded, isJumpStated), !isOpen);
+    add(Line::Kind::Undetectable,
+        undetectableText(*diagnosis, estimateIn(fit, diagnosis).expanded, isJumpStated), !isOpen);
   if (measurement.referenceIntersection)
     lines.push_back(referenceLine(measurement, fit, estimateIn(fit, diagnosis)));
   return lines;

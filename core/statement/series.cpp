@@ -26,7 +26,7 @@ std::string sizesText(const std::string& effect, const std::vector<CauseParamete
   std::vector<std::string> sizes;
   for (const CauseParameter& parameter : parameters) {
     const std::string size = sizeWithStandard(parameter.value, parameter.sigma, parameter.unit);
-    sizes.push_back(effect.ends_with(parameter.name)
+    sizes.push_back(isNamedBy(effect, parameter.name)
                         ? size
                         //: a number of an effect and its size: "tilt about x: 12.0″ (u 1.5)"
                         : Phrase::of("%1: %2", parameterName(parameter.name), size));
@@ -69,7 +69,7 @@ void addPattern(Statement& statement, const SharedPattern& pattern) {
                  traceText(pattern.visibleTogether, pattern.visibleTogether), ""}});
 }
 
-/// The verdict of one session in a few words: "One cause: collimation".
+/// The verdict of a session by itself in a few words: "One cause: collimation".
 std::string headlineOf(DiagnosisVerdict verdict, const std::vector<Cause>& causes) {
   Diagnosis diagnosis;
   diagnosis.verdict = verdict;
@@ -128,7 +128,7 @@ Statement seriesSessions(const SeriesDiagnosis& series) {
     statement.rows.push_back(
         {.cells = {visibleText(member.name), visibleText(member.measuredOn), visibleText(member.instrument),
                    visibleText(member.guideway), headlineOf(member.alone, member.causesAlone),
-                   headlineOf(member.diagnosis.verdict, member.diagnosis.causes)},
+                   alidade::headlineOf(member.diagnosis)},
          .id = std::to_string(member.file)});
   return statement;
 }

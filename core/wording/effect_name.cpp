@@ -59,4 +59,8 @@ std::string plausibleSizeText(const std::string& id) {
   return displayShortest(parameter.plausible) + signOf(std::string(parameter.unit));
 }
 
+bool isNamedBy(const std::string& effect, const std::string& parameter) {
+  return effect.ends_with(parameter);
+}
+
 }  // namespace alidade

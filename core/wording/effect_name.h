@@ -27,4 +27,7 @@ std::string signOf(const std::string& unit);
 /// Empty for a jump, misread values and larger noise, which have no plausible size.
 std::string plausibleSizeText(const std::string& id);
 
+/// True if the effect's identifier already names the parameter, as "slider_scale" does "scale".
+bool isNamedBy(const std::string& effect, const std::string& parameter);
+
 }  // namespace alidade

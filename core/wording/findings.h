@@ -17,14 +17,6 @@ std::vector<Finding> inWords(const std::vector<FitFinding>& findings);
 /// Also converts the suspects, if there are any, to one finding, which comes first.
 std::vector<Finding> inWords(const std::vector<FitFinding>& findings, const std::vector<Suspect>& suspects);
 
-/// Joins two sentences; either may be empty.
-std::string inTurn(const std::string& first, const std::string& second);
-
-/// The finding, and what to do about it.
-inline std::string sentencesOf(const Finding& finding) {
-  return inTurn(finding.text, finding.remedy);
-}
-
 /// A finding, and what to do about it; whole sentences.
 struct Words {
   std::string text;
@@ -33,6 +25,8 @@ struct Words {
 
 /// The predicate of a sentence about an arc, "has readings of 2 places; a circle …", without a full stop.
 std::string textOf(const ArcFault& fault);
+
+// One function for each kind of finding; `inWords` calls them.
 
 /// "0°: the readings scatter 7.3 times their stated noise …".
 Words wordsOf(const ArcFinding& finding);
@@ -63,5 +57,13 @@ Words wordsOf(const setup_finding::ZeroFaceLeftOut& finding);
 
 /// "the distance L (2400) and the nominal radius R0 (1000), both in mm": the object of "Check".
 std::string lengthsToCheck(double distance, double nominalRadius);
+
+/// Joins two sentences; either may be empty.
+std::string inTurn(const std::string& first, const std::string& second);
+
+/// The sentences of a finding, its remedy last.
+inline std::string sentencesOf(const Finding& finding) {
+  return inTurn(finding.text, finding.remedy);
+}
 
 }  // namespace alidade

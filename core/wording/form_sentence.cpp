@@ -162,6 +162,11 @@ std::string unitOf(const FormNumber& number) {
   return "1";
 }
 
+bool isExact(double value, double sigma) {
+  constexpr double negligible = 1e-6;  // of |value|
+  return !(sigma > negligible * std::abs(value));
+}
+
 std::string formSentence(const FoundForm& found) {
   return Phrase::of("The form: %1 (probability %2).", textOf(found), shortProbabilityText(found.probability));
 }

@@ -25,6 +25,9 @@ std::string nameOf(const FormNumber& number);
 /// The unit of a number of the form, as in the catalogue: "mm", "arcsec", "deg" or "1".
 std::string unitOf(const FormNumber& number);
 
+/// Whether the number is exact, such as an order that is certain, so that no uncertainty is stated.
+bool isExact(double value, double sigma);
+
 /// "The form: … (probability 97 %)."
 std::string formSentence(const FoundForm& found);
 

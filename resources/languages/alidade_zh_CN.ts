@@ -3461,7 +3461,7 @@ Sealed by:</source>
     </message>
     <message>
         <source>%1: %2</source>
-        <extracomment>a division of the readings and its parts: &quot;belongs to: guideway 80 %, noise 20 %&quot;
+        <extracomment>a division of the readings and its parts: &quot;belongs to: guideway (80 %), noise (20 %)&quot;
 ----------
 a name and what it is: &quot;Δd: not determined by these readings&quot;
 ----------

@@ -2,7 +2,9 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <nlohmann/json.hpp>
+#include <numbers>
 
 #include "tests/console/console.h"
 
@@ -79,9 +81,9 @@ TEST(Diagnose, TellsAMisreadValueThatIsFarOff) {
   ASSERT_NE(readings, answer.at("where").end());
   EXPECT_GT(readings->at("share").get<double>(), 0.95);
   const std::string text = alidadeCli({"diagnose", sample}).out;
-  EXPECT_THAT(text, HasSubstr("belongs to: readings 100 %\n"));
+  EXPECT_THAT(text, HasSubstr("belongs to: readings (100 %)\n"));
   EXPECT_THAT(text, Not(HasSubstr("\nface: "))) << "one face was read";
-  EXPECT_THAT(text, HasSubstr("axis at: 0° "));
+  EXPECT_THAT(text, HasSubstr("axis at: 0° ("));
 }
 
 TEST(Diagnose, TellsWhereTheModelHoldsBesideAForm) {
@@ -161,6 +163,19 @@ TEST(Diagnose, RefusesAnEffectThatDoesNotExist) {
   const ProgramRun outcome = alidadeCli({"diagnose", paperSession, "--without", "gremlins"});
   EXPECT_EQ(outcome.exitCode, 2);
   EXPECT_THAT(outcome.err, HasSubstr("gremlins"));
+}
+
+/// An order is exact, an amplitude has its u; both without identifiers.
+TEST(Discover, NamesTheNumbersOfAFormInWords) {
+  std::string table = "residual_arcsec,sigma_arcsec,circle,azimuth_deg,elevation_deg\n";
+  for (int i = 0; i < 90; ++i)
+    table += std::to_string(8 * std::cos(4 * i * std::numbers::pi / 30)) + ",1,horizontal," +
+             std::to_string(4 * i) + ",5\n";
+  const TemporaryFolder folder;
+  const std::string text = alidadeCli({"discover", folder.file("table.csv", table)}).out;
+  EXPECT_THAT(text, HasSubstr("\n  order: 6\n"));
+  EXPECT_THAT(text, HasSubstr("\n  amplitude: 8.0"));
+  EXPECT_THAT(text, Not(HasSubstr("_arcsec")));
 }
 
 }  // namespace

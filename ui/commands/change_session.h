@@ -5,7 +5,6 @@
 #include <vector>
 
 #include "core/base/problem.h"
-#include "core/base/result.h"
 #include "core/session/instrument_record.h"
 #include "core/session/own_effect.h"
 #include "core/session/sighting_protocol.h"

@@ -46,7 +46,6 @@ DiagnosisPanel::DiagnosisPanel(QWidget* parent)
   column->addStretch();
   auto* offers = new QVBoxLayout(m_offers);
   offers->setContentsMargins(0, 0, 0, 0);
-  m_causes->setPlaceholder(tr("The sessions share no cause."));
   auto* layout = new QVBoxLayout(this);
   layout->setContentsMargins(6, 6, 6, 6);
   layout->addWidget(scrolled(text), 1);
@@ -62,7 +61,9 @@ DiagnosisPanel::DiagnosisPanel(QWidget* parent)
 void DiagnosisPanel::setDiagnosis(const SharedSeriesDiagnosis& diagnosis, const QString& reason) {
   m_diagnosis = diagnosis;
   showOffers();
-  const SeriesDiagnosis& series = diagnosis ? *diagnosis : SeriesDiagnosis();
+  static const SeriesDiagnosis none;
+  const SeriesDiagnosis& series = diagnosis ? *diagnosis : none;
+  m_causes->setPlaceholder(diagnosis ? tr("The sessions share no cause.") : QString());
   m_causes->setStatement(seriesCauses(series));
   m_sessions->setStatement(seriesSessions(series));
   m_advice->setStatement(seriesAdvice(series));

@@ -25,10 +25,6 @@ QString effectText(const EffectEstimate& estimate) {
   return listText({effect, qText(parameterName(estimate.name))});
 }
 
-bool isNamedBy(const std::string& effect, const std::string& parameter) {
-  return effect.ends_with(parameter);
-}
-
 QString capitalised(QString text) {
   if (!text.isEmpty() && text[0].script() == QChar::Script_Latin) text[0] = text[0].toUpper();
   return text;

@@ -14,9 +14,6 @@ QString effectName(const std::string& id);
 /// own name if the effect has several numbers.
 QString effectText(const EffectEstimate& estimate);
 
-/// True if the effect's name already names the number, as "slider scale" does "scale".
-bool isNamedBy(const std::string& effect, const std::string& parameter);
-
 /// The text with a capital first letter.
 QString capitalised(QString text);
 

@@ -82,7 +82,7 @@ Answer knownAs(const Inquiry& inquiry, const Explanation& explanation) {
       Answer::Kind::Known, explanation, rivalsOf(inquiry, explanation), {}, modelWith(inquiry, explanation)};
 }
 
-/// The likeliest pattern, and each further cause with a probability of at least 0.95.
+/// The likeliest pattern, and each further cause with a probability of at least `thresholds.certain`.
 Answer unknownAs(const Inquiry& inquiry, const Explanation& shaped) {
   const std::vector<std::vector<Rival>> rivals = rivalsOf(inquiry, shaped);
   Answer answer{Answer::Kind::Unknown, {}, {}, shaped.parts.back(), {}};

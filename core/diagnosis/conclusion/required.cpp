@@ -7,7 +7,6 @@
 
 #include "core/diagnosis/candidates/jump_components.h"
 #include "core/diagnosis/gap/gap_size.h"
-#include "core/diagnosis/observability/look_alikes.h"
 #include "core/diagnosis/result/thresholds.h"
 #include "core/effects/cause_ids.h"
 

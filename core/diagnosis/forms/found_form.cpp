@@ -5,6 +5,7 @@
 #include <numbers>
 
 #include "core/base/number_text.h"
+#include "core/diagnosis/result/thresholds.h"
 
 namespace alidade {
 
@@ -166,7 +167,7 @@ FoundForm foundForm(const WeighedForm& weighed, const std::vector<WeighedForm>& 
 
 std::vector<Form> lookAlikesOfFirst(const FormSystem& system, const FormReadings& readings,
                                     const std::vector<WeighedForm>& all) {
-  constexpr double alike = 3;                   // σ
+  constexpr double alike = thresholds.hardlyDifferent;
   constexpr double nearly = alike * alike / 2;  // natural logarithm
   const WeighedForm& first = all.front();
   const auto trace = [&](const WeighedForm& one) -> VectorXd {

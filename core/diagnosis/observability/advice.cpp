@@ -10,7 +10,6 @@
 
 #include "core/diagnosis/candidates/jump_components.h"
 #include "core/diagnosis/observability/further_terms.h"
-#include "core/diagnosis/observability/look_alikes.h"
 #include "core/diagnosis/result/thresholds.h"
 #include "core/effects/cause_ids.h"
 #include "core/observation/observe.h"

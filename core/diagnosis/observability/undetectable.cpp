@@ -7,7 +7,6 @@
 
 #include "core/base/square.h"
 #include "core/diagnosis/candidates/jump_components.h"
-#include "core/diagnosis/observability/look_alikes.h"
 #include "core/diagnosis/result/thresholds.h"
 
 namespace alidade {

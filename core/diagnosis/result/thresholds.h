@@ -5,7 +5,8 @@ namespace alidade {
 /// The conventions of the diagnosis: limits that are neither results nor priors, each with its reason.
 struct DiagnosisThresholds {
   /// Probability from which a statement counts as certain: a cause beside a pattern is named, larger noise is
-  /// taken as known, a form ends the search. One such statement in twenty is wrong, as with the usual U.
+  /// taken as known, advice that leaves one cause needs no combination. One such statement in twenty is
+  /// wrong, as with the usual U.
   double certain = 0.95;
   /// Of two sets of causes with odds this close (natural logarithm; odds of 7), the one with fewer causes is
   /// reported.

@@ -48,7 +48,8 @@ Result<SeriesFile> readSeriesFile(std::string_view text) {
   const Result<double> number = parseNumber(baseline.empty() ? "0" : baseline);
   constexpr double most = 1e6;
   if (!number || *number < 0 || *number > most || *number != static_cast<double>(static_cast<long>(*number)))
-    reader.report(Phrase::of("must be a whole number of sessions, 0 to 1 000 000"), reader.placeOf("baseline_sessions"));
+    reader.report(Phrase::of("must be a whole number of sessions, 0 to 1 000 000"),
+                  reader.placeOf("baseline_sessions"));
   else
     series.baseline = static_cast<std::size_t>(*number);
   if (problem) return *problem;

@@ -1,9 +1,10 @@
-#include "core/diagnosis/result/thresholds.h"
 #include "core/series/shared_causes/searched_series.h"
 
 #include <algorithm>
 #include <cmath>
 #include <functional>
+
+#include "core/diagnosis/result/thresholds.h"
 
 namespace alidade {
 

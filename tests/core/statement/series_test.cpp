@@ -3,6 +3,7 @@
 #include <gmock/gmock.h>
 
 #include "core/statement/gap.h"
+#include "core/wording/diagnosis_sentence.h"
 
 namespace alidade {
 namespace {
@@ -75,6 +76,14 @@ TEST(SeriesStatement, SaysTheVerdictsOfSessionsInWords) {
   EXPECT_EQ(sessions.rows[1].id, "6");
 }
 
+TEST(SeriesStatement, TakesTheVerdictWithinTheSeriesFromTheWholeDiagnosis) {
+  SeriesDiagnosis series = tiltOfTwo();
+  series.sessions[0].diagnosis.verdict = DiagnosisVerdict::SeveralCauses;
+  series.sessions[0].diagnosis.hasMoreCausesThanSeparable = true;
+  EXPECT_EQ(seriesSessions(series).rows[0].cells[5], headlineOf(series.sessions[0].diagnosis));
+  EXPECT_THAT(seriesSessions(series).rows[0].cells[5], testing::HasSubstr("ore causes than"));
+}
+
 TEST(SeriesStatement, DividesTheGapInWords) {
   const Statement where = gapWhere({{"frame", "guideway", 0.795},
                                     {"frame", "noise", 0.205},
@@ -83,7 +92,7 @@ TEST(SeriesStatement, DividesTheGapInWords) {
                                     {"instrument", "T-1", 0.4},
                                     {"instrument", "T-2", 0.6}});
   EXPECT_THAT(where.sentences,
-              ElementsAre("belongs to: guideway 80 %, noise 20 %", "instrument: T-1 40 %, T-2 60 %"));
+              ElementsAre("belongs to: guideway (80 %), noise (20 %)", "instrument: T-1 (40 %), T-2 (60 %)"));
   EXPECT_THAT(where.rows, IsEmpty());
 }
 

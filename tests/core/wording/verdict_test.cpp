@@ -116,11 +116,10 @@ TEST(VerdictSentence, NamesWhatItIsAbout) {
           "1.30 mm ± 0.20 mm in the plane of the arc (Δd), −2.00 mm ± 0.20 mm across it (Δz). The "
           "interval is within the tolerance of ± 2.6 mm."));
   measurement.measurand = Measurand::Intersection;
-  EXPECT_THAT(
-      sentenceOf(measurement, fit, &diagnosis),
-      HasSubstr(
-          "The verdict covers only the plane of the arc; perpendicular to it, the arc's centre is 2.00 mm ± 0.20 mm from the "
-          "axis."));
+  EXPECT_THAT(sentenceOf(measurement, fit, &diagnosis),
+              HasSubstr("The verdict covers only the plane of the arc; perpendicular to it, the arc's centre "
+                        "is 2.00 mm ± 0.20 mm from the "
+                        "axis."));
 }
 
 TEST(VerdictSentence, AsksForACoverage) {
