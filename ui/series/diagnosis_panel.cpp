@@ -39,7 +39,7 @@ DiagnosisPanel::DiagnosisPanel(QWidget* parent)
       m_sessions(tableFor(seriesSessions({}))) {
   auto* text = new QWidget;
   auto* column = new QVBoxLayout(text);
-  column->setContentsMargins(0, 0, 0, 0);
+  column->setContentsMargins(6, 0, 6, 0);
   for (QWidget* part : std::initializer_list<QWidget*>{m_sentence, m_offers, m_findings, m_advice, m_stages,
                                                        m_where, m_undetectable})
     column->addWidget(part);
@@ -48,8 +48,10 @@ DiagnosisPanel::DiagnosisPanel(QWidget* parent)
   offers->setContentsMargins(0, 0, 0, 0);
   auto* layout = new QVBoxLayout(this);
   layout->setContentsMargins(6, 6, 6, 6);
-  layout->addWidget(scrolled(text), 1);
-  layout->addWidget(split(Qt::Vertical, "shared causes", {m_causes, m_sessions}, {90, 230}), 3);
+  QSplitter* tables = split(Qt::Vertical, "shared causes", {m_causes, m_sessions}, {90, 230});
+  QSplitter* parts = split(Qt::Horizontal, "shared parts", {tables, scrolled(text)}, {620, 360});
+  parts->setStretchFactor(0, 1);
+  layout->addWidget(parts);
   connect(m_sessions, &DataTable::rowActivated, this, [this](int row) {
     const auto index = static_cast<std::size_t>(row);
     if (m_diagnosis && index < m_diagnosis->sessions.size())
