@@ -36,7 +36,7 @@ std::optional<std::string_view> conditional(const FitAnswer& answer, const Accep
   if (!found) return std::nullopt;
   const double tolerance = *answer.measurement.tolerance;
   const bool isWithin = *found <= tolerance;
-  // For a distance from the axis, Δd, fit only, is a single component and cannot be compared.
+  // The fit gives only one component of a distance from the axis: no comparison.
   if (answer.measurement.measurand == Measurand::Intersection &&
       (std::abs(answer.fit.intersection->value) <= tolerance) != isWithin)
     return std::nullopt;

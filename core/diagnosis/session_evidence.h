@@ -70,8 +70,8 @@ struct ColumnGain {
 ColumnGain columnGain(Response response, std::span<const double> gram, std::span<const double> right,
                       std::span<const double> sigmas);
 
-/// Returns the distance, in σ, of an effect with its best weights from a trace of squared length `square`.
-/// `right` are the products of the effect's columns with the trace.
+/// The distance, σ, between a trace and an effect at its best weights. `gram`, `right`: products of the
+/// effect's columns with each other and the trace; `square`: |trace|².
 double leastDifference(Response response, std::span<const double> gram, std::span<const double> right,
                        double square);
 

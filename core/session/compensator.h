@@ -45,7 +45,7 @@ struct CompensatorNotes {
   bool isInclinationUnknown = false;
   /// The largest change of the tilt between two positions, if it significantly exceeds its uncertainty.
   std::optional<Angle> moved = {};
-  /// The larger index, if it significantly exceeds the compensator's uncertainty. Then no tilt is known.
+  /// The larger index (cross, length) if significantly above the compensator's σ. Then no tilt is known.
   std::optional<Angle> index = {};
 };
 

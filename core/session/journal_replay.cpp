@@ -215,8 +215,8 @@ JournalReplay::Json* JournalReplay::rowsOf(const Path& path) {
   return rows.is_array() ? &rows : nullptr;
 }
 
-/// The only row with the point, round and face of an entry before the first seal. Its index is unreliable,
-/// since rows added while empty have no entry.
+/// The only row with an entry's point, round and face. Before the first seal, an entry's index is unreliable,
+/// as rows added while empty have no entry.
 JournalReplay::Json* JournalReplay::rowOf(const Path& path, const JournalEntry& entry) {
   Json* rows = rowsOf(path);
   if (!rows) return nullptr;

@@ -57,7 +57,7 @@ std::size_t stretchBefore(const std::vector<Reading>& rows, std::size_t end) {
   return end == 0 ? 0 : end - 1;
 }
 
-/// If another position begins with the same rows, its next row after these; else null.
+/// The next row in another position that begins with the rows of `position`; or null.
 const Reading* asInAnotherPosition(const Session& session, std::size_t position) {
   const std::vector<Reading>& rows = session.positions[position].readings;
   for (std::size_t i = 0; i < session.positions.size(); ++i) {

@@ -43,8 +43,8 @@ ExaminedZeros examineZeros(const Session& session, const std::optional<VerticalC
 /// the other kind of vertical circle.
 inline constexpr double steepestZero = 45;
 
-/// The elevation of a zero above the horizon. Absent beyond `steepestZero`: the reading is of the other kind
-/// of circle, or of one that does not count from the plumb line.
+/// The elevation of a zero above the horizon. Absent beyond `steepestZero`: the circle is of the other kind,
+/// or reads 0 neither at the zenith nor at the horizon.
 std::optional<Angle> zeroElevation(Angle vertical, VerticalCircle circle);
 
 }  // namespace alidade

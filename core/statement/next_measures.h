@@ -20,7 +20,7 @@ namespace alidade {
 /// The measures that `gapAdvice` names, in its order. `gap` has a diagnosis.
 std::vector<std::vector<Measure>> measuresNext(const Gap& gap);
 
-/// What to add to a plan without readings. Each separated pair is worth 1/(number of effects + 1).
+/// What to add to a plan. Each pair of effects separated is worth 1/(number of effects + 1).
 Statement planAdvice(const PlanReview& review, const SessionEffort& session);
 
 /// The measures and known effects that reduce U if more rounds do not; empty if there are none.

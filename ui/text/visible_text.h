@@ -13,7 +13,7 @@ inline QString visibleLine(const std::string& text) {
   return visibleLine(QString::fromStdString(text));
 }
 
-/// The same, keeping tabs and line ends of every kind.
+/// As `visibleLine`, but keeps tabs and all line ends.
 QString visibleLines(const QString& text);
 
 /// The text on one line of at most `most` characters; an ellipsis replaces the rest.

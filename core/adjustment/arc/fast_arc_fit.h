@@ -40,7 +40,7 @@ namespace alidade {
 /// Bound on the remaining way to the minimum, in units of R.
 inline constexpr double usualTolerance = 1.5e-12;
 
-/// The common input of all readings.
+/// Constants common to all readings.
 struct ArcSetup {
   double distance = 0;                            ///< L > 0, mm
   double sigmaHorizontal = 0, sigmaVertical = 0;  ///< of a reading, rad, > 0

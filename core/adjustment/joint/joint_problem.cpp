@@ -365,7 +365,7 @@ struct PerElevation {
   }
 };
 
-/// Returns the displacement of a target at `y` and `z` in space.
+/// Returns the `PerElevation` of a target at `y` and `z`, mm.
 PerElevation perElevation(double y, double z, double distance, double elevation, ArcPlane plane) {
   if (plane == ArcPlane::Square) return {-z, y};
   const double cosine = std::cos(elevation);

@@ -23,7 +23,7 @@ inline constexpr int mostSlots = firstTermSlot + static_cast<int>(errorTermCount
 /// A vector with one entry for each slot of the fit, without heap allocation.
 using Slots = Eigen::Matrix<double, Eigen::Dynamic, 1, Eigen::ColMajor, mostSlots, 1>;
 
-/// A matrix over the slots of one arc.
+/// A square matrix over the slots.
 using SlotMatrix =
     Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::ColMajor, mostSlots, mostSlots>;
 
@@ -45,8 +45,7 @@ struct VisitOfArc {
 };
 
 struct JointState {
-  /// Relative to the prior values (`Prior::value`): estimated first, then the considered ones, which stay
-  /// zero.
+  /// Estimated unknowns minus their prior values (`Prior::value`), then considered ones, which stay zero.
   Eigen::VectorXd unknowns;
   Eigen::VectorXd arcAngles;  ///< of each visit
 };

@@ -178,7 +178,7 @@ class Measured {
     return {std::sqrt(guideway / all), std::sqrt(instrument / all), std::sqrt(time / all)};
   }
 
-  /// The answer's own fit, changed by the contributions of pattern and effects.
+  /// The answer's fit plus the shift and variance due to pattern and effects.
   std::optional<FittedExplanation> byMoves() {
     const auto with = m_weighed.of(m_whole, m_scales), without = m_weighed.of(m_answer.explanation, noEffect);
     const std::optional<Intersection> found = intersect(*m_answer.after.measurement, *m_answer.after.fit);

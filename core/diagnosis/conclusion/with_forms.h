@@ -8,10 +8,10 @@
 
 namespace alidade {
 
-/// Replaces the pattern of an Unknown, or the effects of a Several, by forms. Explanations with a pattern
-/// become explanations with the forms, or with one form replaced by a nearly as likely form. The answer
-/// becomes an Unknown, whose models are fitted to readings minus the likeliest forms. Nothing changes without
-/// forms, or if these readings do not determine a model.
+/// Replaces the answer's pattern (`Unknown`) or effects (`Several`) by forms. The answer becomes
+/// `Unknown`; its models are fitted to the readings minus the likeliest forms. Explanations with a pattern
+/// become explanations with the forms, or with one form replaced by a nearly as likely one. Nothing changes
+/// without forms, or if these readings determine no model.
 void takeUpForms(Inquiry& inquiry, Answer& answer, const FoundForms& found);
 
 /// Whether the pattern of the answer consists of forms.
