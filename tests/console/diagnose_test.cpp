@@ -174,7 +174,7 @@ TEST(Discover, NamesTheNumbersOfAFormInWords) {
   const TemporaryFolder folder;
   const std::string text = alidadeCli({"discover", folder.file("table.csv", table)}).out;
   EXPECT_THAT(text, HasSubstr("\n  order: 6\n"));
-  EXPECT_THAT(text, HasSubstr("\n  amplitude: 8.0"));
+  EXPECT_THAT(text, HasSubstr("\n  amplitude: 7.99″ (u "));
   EXPECT_THAT(text, Not(HasSubstr("_arcsec")));
 }
 

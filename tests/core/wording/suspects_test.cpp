@@ -27,7 +27,7 @@ TEST(SuspectInWords, SaysByHowMuch) {
             "0°, point 5, vertical: off by +29.0″. No single gross error explains the value: read it again.");
   EXPECT_THAT(sentenceOf(suspectAt("vertical", Angle::fromArcseconds(-119.9))), HasSubstr("off by −119.9″."));
   EXPECT_THAT(sentenceOf(suspectAt("vertical", Angle::fromDegrees(1))), HasSubstr("off by +1°"));
-  EXPECT_THAT(sentenceOf(suspectAt("face", Angle::fromDegrees(180))), HasSubstr("face: the other face."));
+  EXPECT_THAT(sentenceOf(suspectAt("face", Angle::fromDegrees(180))), HasSubstr("face: the wrong face."));
   const Angle none = Angle::fromRadians(std::numeric_limits<double>::quiet_NaN());
   EXPECT_THAT(sentenceOf(suspectAt("vertical", none)), HasSubstr("vertical: not an angle."));
 }

@@ -71,7 +71,7 @@ TEST(CommandPalette, DoesWhatIsChosenWithTheKeyboard) {
   CommandPalette palette(*open->menuBar(), open.window.get());
   QTimer::singleShot(0, &palette, [&] {
     auto* line = palette.findChild<QLineEdit*>();
-    QTest::keyClicks(line, QStringLiteral("way back"));
+    QTest::keyClicks(line, QStringLiteral("return run"));
     QTest::keyClick(line, Qt::Key_Down);
     QTest::keyClick(line, Qt::Key_Return);
   });

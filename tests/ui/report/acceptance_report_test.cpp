@@ -67,7 +67,8 @@ TEST(AcceptanceReport, TellsWhatLiesAcrossThePlane) {
     session.acceptance.coverage = coverage;
     return Printed(session).page(0).simplified();
   };
-  const QString verdict = QStringLiteral("across it, the arc's centre is 5.9 mm ± 1.2 mm from the axis");
+  const QString verdict =
+      QStringLiteral("perpendicular to it, the arc's centre is 5.9 mm ± 1.2 mm from the axis");
   EXPECT_TRUE(
       front("0.95").contains(QStringLiteral("Across the plane of the arc: Δz = −5.9 ± 1.2 mm, not judged")));
   EXPECT_TRUE(front("0.95").contains(verdict));
