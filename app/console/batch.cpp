@@ -2,14 +2,12 @@
 
 #include <unistd.h>
 
-#include <algorithm>
 #include <chrono>
 #include <condition_variable>
 #include <initializer_list>
 #include <mutex>
 #include <nlohmann/json.hpp>
 #include <optional>
-#include <thread>
 #include <utility>
 
 #include "app/console/channels.h"
@@ -156,10 +154,6 @@ Answered answerTo(const ListedFile& file,
 
 }  // namespace
 
-std::size_t threadsOf(const BatchOptions& options) {
-  return options.threads > 0 ? options.threads : std::max(1u, std::thread::hardware_concurrency());
-}
-
 int answerEach(const std::vector<std::string>& named,
                const std::function<Result<std::string>(const std::string& file)>& answer,
                const BatchOptions& options) {
@@ -171,7 +165,7 @@ int answerEach(const SessionFiles& list,
                const BatchOptions& options) {
   for (const std::string& path : list.again) notify(inputName(path), "is named again: answered once");
   OrderedOutput output(list.files, options);
-  doEach(std::min(threadsOf(options), list.files.size()), list.files.size(), [&](std::size_t i) {
+  doEach(threadsOrAll(options.threads), list.files.size(), [&](std::size_t i) {
     if (output.awaitTurn(i)) output.take(i, answerTo(list.files[i], answer));
   });
   return output.finish();

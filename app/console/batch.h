@@ -18,9 +18,6 @@ struct BatchOptions {
   bool table = false;  ///< the results are tables (CSV) of the same columns, whose cells hold no line ends
 };
 
-/// The number of threads to use, 1 or more.
-std::size_t threadsOf(const BatchOptions& options);
-
 /// Processes each input of a call (`sessionFilesOf`) separately and in parallel, and writes the results to
 /// stdout in input order.
 /// JSON results (`answer` returns one document each) take one line each, which begins with the key `file`; an

@@ -43,6 +43,10 @@ void doAll(std::size_t threads, const std::vector<std::function<void()>>& pieces
   doEach(threads, pieces.size(), [&](std::size_t i) { pieces[i](); });
 }
 
+std::size_t threadsOrAll(std::size_t wanted) {
+  return wanted > 0 ? wanted : std::max(1u, std::thread::hardware_concurrency());
+}
+
 std::size_t threadsFor(std::size_t rows) {
   constexpr std::size_t many = 5'000, most = 4;
   return rows < many ? 1 : std::clamp<std::size_t>(std::thread::hardware_concurrency(), 1, most);

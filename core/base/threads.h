@@ -16,6 +16,9 @@ void doEach(std::size_t threads, std::size_t count, const std::function<void(std
 /// Runs all `pieces`, in threads as `doEach` does.
 void doAll(std::size_t threads, const std::vector<std::function<void()>>& pieces);
 
+/// `wanted`, or as many threads as the machine has if it is 0.
+std::size_t threadsOrAll(std::size_t wanted);
+
 /// The number of threads for work on this many rows: below some thousands, an additional thread costs more
 /// than it saves.
 std::size_t threadsFor(std::size_t rows);

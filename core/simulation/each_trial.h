@@ -1,12 +1,10 @@
 #pragma once
 
-#include <algorithm>
 #include <atomic>
 #include <cstddef>
 #include <functional>
 #include <mutex>
 #include <optional>
-#include <thread>
 #include <utility>
 #include <vector>
 
@@ -23,19 +21,16 @@ Result<std::vector<Trial>> eachTrial(std::size_t count, std::size_t threads,
                                      const std::function<Result<Trial>(std::size_t)>& make,
                                      const std::function<void(std::size_t)>& progress = {}) {
   std::vector<std::optional<Result<Trial>>> results(count);
-  std::atomic<std::size_t> next = 0;
   std::atomic<bool> failed = false;
   std::mutex reporting;
   std::size_t done = 0;
-  const std::size_t most = threads > 0 ? threads : std::max(1u, std::thread::hardware_concurrency());
-  inThreads(std::clamp<std::size_t>(count, 1, most), [&] {
-    for (std::size_t i; !failed && (i = next.fetch_add(1)) < count;) {
-      results[i] = make(i);
-      if (!*results[i]) failed = true;
-      if (!progress) continue;
-      const std::scoped_lock lock(reporting);
-      progress(++done);
-    }
+  doEach(threadsOrAll(threads), count, [&](std::size_t i) {
+    if (failed) return;
+    results[i] = make(i);
+    if (!*results[i]) failed = true;
+    if (!progress) return;
+    const std::scoped_lock lock(reporting);
+    progress(++done);
   });
   std::vector<Trial> trials;
   for (auto& result : results) {

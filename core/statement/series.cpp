@@ -34,8 +34,8 @@ std::string sizesText(const std::string& effect, const std::vector<CauseParamete
   return listed(sizes);
 }
 
-std::string traceText(double sigmas, double together) {
-  return together > 0 ? displayText(sigmas, 1) : "—";
+std::string traceText(double sigmas) {
+  return sigmas > 0 ? displayText(sigmas, 1) : "—";
 }
 
 /// The session that alone has the cause, else the owner.
@@ -51,8 +51,7 @@ void addCause(Statement& statement, const SharedCause& cause, const SeriesDiagno
       {.cells = {causeTitle(effect), visibleText(ownerOf(cause, series)),
                  cause.isDrifting ? Phrase::of("%1, changing between sessions", size) : size,
                  std::to_string(cause.sessions.size()), shortProbabilityText(cause.cause.probability),
-                 traceText(cause.visibleInOne, cause.visibleTogether),
-                 traceText(cause.visibleTogether, cause.visibleTogether),
+                 traceText(cause.visibleInOne), traceText(cause.visibleTogether),
                  causeNames(cause.cause.indistinguishableFrom, Phrase::of(" or "))},
        .id = effect});
   for (const SizeInSession& own : cause.sizes)
@@ -65,8 +64,7 @@ void addPattern(Statement& statement, const SharedPattern& pattern) {
   statement.rows.push_back(
       {.cells = {Phrase::of("Pattern: %1", visibleText(patternText(pattern))), "", "",
                  std::to_string(pattern.sessions.size()), shortProbabilityText(pattern.probability),
-                 traceText(pattern.visibleInOne, pattern.visibleTogether),
-                 traceText(pattern.visibleTogether, pattern.visibleTogether), ""}});
+                 traceText(pattern.visibleInOne), traceText(pattern.visibleTogether), ""}});
 }
 
 /// The verdict of a session by itself in a few words: "One cause: collimation".
@@ -137,21 +135,6 @@ Statement seriesAdvice(const SeriesDiagnosis& series) {
   Statement statement{
       .id = "series_advice", .title = Phrase::of("What to measure next"), .columns = {}, .rows = {}};
   for (const SeriesAdvice& advice : series.advice) statement.sentences.push_back(sentenceOf(advice));
-  return statement;
-}
-
-Statement seriesUndetectable(const SeriesDiagnosis& series) {
-  Statement statement{.id = "series_undetectable",
-                      .title = Phrase::of("Undetectable in all sessions together"),
-                      .columns = {{"effect", Phrase::of("Effect"), Role::Name},
-                                  {"influence", Phrase::of("moves Δd (mm)")},
-                                  {"visible", Phrase::of("trace (σ)")}},
-                      .rows = {}};
-  for (const UndetectableEffect& effect : series.undetectable)
-    statement.rows.push_back({.cells = {causeTitle(effect.effect),
-                                        "± " + displayText(effect.influence, decimalsFor(effect.influence)),
-                                        displayText(effect.visibleSigma, 1)},
-                              .id = effect.effect});
   return statement;
 }
 

@@ -5,7 +5,6 @@
 #include <QFileInfo>
 #include <atomic>
 #include <set>
-#include <thread>
 
 #include "core/base/failure.h"
 #include "core/base/phrase.h"
@@ -94,7 +93,7 @@ Series readSeries(std::vector<SeriesSession> known, const std::vector<std::strin
   Series series{std::move(known), {}};
   std::vector<std::optional<SeriesSession>> fresh(added.size());
   std::atomic<int> done = 0;
-  doEach(std::max(1u, std::thread::hardware_concurrency()), added.size(), [&](std::size_t i) {
+  doEach(threadsOrAll(0), added.size(), [&](std::size_t i) {
     if (stop.stop_requested()) return;
     fresh[i] = loaded(added[i]);
     if (progressed) progressed(++done, static_cast<int>(added.size()));

@@ -155,9 +155,9 @@ int giveSeries(const DiagnoseRequest& request) {
     return refuse("--with-reference", "a series is not weighed with references: leave it out, or say --each");
   const SessionFiles listed = sessionFilesOf(request.files);
   for (const std::string& path : listed.again) notify(inputName(path), "named again: it counts once");
-  const std::size_t threads = threadsOf(request.batch);
+  const std::size_t threads = threadsOrAll(request.batch.threads);
   std::vector<std::optional<Result<SeriesSession>>> read(listed.files.size());
-  doEach(std::clamp<std::size_t>(listed.files.size(), 1, threads), listed.files.size(), [&](std::size_t i) {
+  doEach(threads, listed.files.size(), [&](std::size_t i) {
     const ListedFile& file = listed.files[i];
     if (file.problem) {
       read[i] = Result<SeriesSession>(*file.problem);

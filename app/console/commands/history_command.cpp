@@ -195,7 +195,7 @@ class Histories {
   std::vector<Epoch> load(const std::vector<ListedFile>& files, std::vector<std::string>& remarks) {
     std::vector<std::optional<Epoch>> loaded(files.size());
     std::vector<std::string> reasons(files.size());
-    doEach(threadsOf(m_request.batch), files.size(), [&](std::size_t i) {
+    doEach(threadsOrAll(m_request.batch.threads), files.size(), [&](std::size_t i) {
       const auto failure = failureOf([&] {
         Result<Epoch> epoch = files[i].problem ? Result<Epoch>(*files[i].problem) : loadEpoch(files[i].path);
         if (epoch)

@@ -5,7 +5,6 @@
 #include <atomic>
 #include <cmath>
 #include <numeric>
-#include <thread>
 
 #include "core/adjustment/monte_carlo/refit.h"
 #include "core/base/statistics.h"
@@ -91,31 +90,19 @@ class Columns {
   std::size_t m_upper = 0, m_lower = 0;  ///< indices of Δy at 0° and at 180° among the centres
 };
 
-unsigned threadsOf(const MonteCarloOptions& options) {
-  return options.threads > 0 ? options.threads : std::max(1u, std::thread::hardware_concurrency());
-}
-
-/// Calls work(i) for 0 … count − 1, each once, on all threads.
-template <typename MakeWork>
-void inParallel(unsigned threads, std::size_t count, const MakeWork& makeWork) {
-  std::atomic<std::size_t> next = 0;
-  const auto run = [&] {
-    auto work = makeWork();
-    for (std::size_t i; (i = next.fetch_add(1)) < count;) work(i);
-  };
-  inThreads(threads, run);
-}
-
 /// Makes draws `first` … `end` − 1 on all threads and appends them in this order. False if it was stopped.
 bool drawAll(Columns& columns, std::size_t first, std::size_t end, const RefitTask& task,
              const Refits& refits, const MonteCarloOptions& options, const std::stop_token& stop) {
   constexpr std::size_t batch = 256;
   const std::size_t held = columns.draws(), count = end - first;
   columns.resize(held + count);
-  inParallel(threadsOf(options), (count + batch - 1) / batch, [&] {
-    return [&, refit = refits.make(), draws = std::vector<Draw>(batch),
-            centres = std::vector<double>(batch * task.centres())](std::size_t turn) mutable {
-      if (stop.stop_requested()) return;
+  const std::size_t batches = (count + batch - 1) / batch;
+  std::atomic<std::size_t> next = 0;
+  inThreads(threadsOrAll(options.threads), [&] {
+    const auto refit = refits.make();
+    std::vector<Draw> draws(batch);
+    std::vector<double> centres(batch * task.centres());
+    for (std::size_t turn; (turn = next++) < batches && !stop.stop_requested();) {
       const std::size_t from = turn * batch, taken = std::min(batch, count - from);
       for (std::size_t i = 0; i < taken; ++i) task.plan.drawInto(draws[i], options.seed, first + from + i);
       const std::span<double> found(centres.data(), taken * task.centres());
@@ -123,7 +110,7 @@ bool drawAll(Columns& columns, std::size_t first, std::size_t end, const RefitTa
       for (std::size_t i = 0; i < taken; ++i)
         columns.put(held + from + i, found.subspan(i * task.centres(), task.centres()));
       if (options.made) *options.made += taken;
-    };
+    }
   });
   columns.dropMissing();
   return !stop.stop_requested();
@@ -203,9 +190,8 @@ MonteCarlo resultOf(Columns& columns, const RefitTask& task, std::size_t drawn,
   result.coverage = task.fitted.coverage;
   if (result.draws < fewestDraws) return result;
   std::vector<Spread> spreads(columns.values().size());
-  inParallel(
-      std::min<unsigned>(threadsOf(options), static_cast<unsigned>(spreads.size())), spreads.size(),
-      [&] { return [&](std::size_t i) { spreads[i] = spreadOf(columns.values()[i], result.coverage); }; });
+  doEach(threadsOrAll(options.threads), spreads.size(),
+         [&](std::size_t i) { spreads[i] = spreadOf(columns.values()[i], result.coverage); });
   const std::vector<std::size_t> firsts = firstAtTheirAxes(task.fitted);
   for (std::size_t i = 0; i < firsts.size(); ++i)
     if (firsts[i] == i)

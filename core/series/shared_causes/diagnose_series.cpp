@@ -5,7 +5,6 @@
 #include <mutex>
 #include <numeric>
 #include <optional>
-#include <thread>
 
 #include "core/base/threads.h"
 #include "core/diagnosis/diagnose.h"
@@ -111,9 +110,7 @@ Result<SeriesOutcome, DiagnosisFault> diagnoseSeries(const std::vector<SeriesSes
                                                      const std::stop_token& stop) {
   const DiagnosisFault stopped = Stopped{};
   const DiagnosisOptions alone{.without = options.without};
-  const std::size_t threads = std::clamp<std::size_t>(
-      options.threads > 0 ? options.threads : std::max(1u, std::thread::hardware_concurrency()), 1,
-      std::max<std::size_t>(sessions.size(), 1));
+  const std::size_t threads = threadsOrAll(options.threads);
   Progress progress(options, sessions.size() * (options.withSessions ? 2 : 1));
   std::vector<std::optional<Result<SessionEvidence, DiagnosisFault>>> found(sessions.size());
   const std::vector<std::size_t> firsts = firstsOf(sessions);

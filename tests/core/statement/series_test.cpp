@@ -4,40 +4,17 @@
 
 #include "core/statement/gap.h"
 #include "core/wording/diagnosis_sentence.h"
+#include "tests/support/trunnion_series.h"
 
 namespace alidade {
 namespace {
 
+using test::trunnionOfTwo;
 using testing::ElementsAre;
 using testing::IsEmpty;
 
-SeriesDiagnosis tiltOfTwo() {
-  SeriesDiagnosis series;
-  for (const char* name : {"first", "second"}) {
-    SeriesMember member;
-    member.name = name;
-    member.measuredOn = "2026-03-01";
-    member.instrument = "T-1";
-    member.guideway = "G-1";
-    member.file = series.sessions.size() + 5;
-    series.sessions.push_back(member);
-  }
-  series.sessions[1].alone = DiagnosisVerdict::SingleCause;
-  series.sessions[1].causesAlone = {{.effect = "collimation"}};
-  SharedCause cause;
-  cause.cause = {.effect = "trunnion_tilt", .probability = 0.97, .parameters = {{"tilt", 12, 1.5, "arcsec"}}};
-  cause.cause.indistinguishableFrom = {"plane_warp"};
-  cause.owner = CauseOwner::Instrument;
-  cause.serial = "T-1";
-  cause.sessions = {0, 1};
-  cause.visibleInOne = 2;
-  cause.visibleTogether = 2.8;
-  series.causes = {cause};
-  return series;
-}
-
 TEST(SeriesStatement, NamesCausesWithOwnerSizeAndLookAlikes) {
-  const Statement causes = seriesCauses(tiltOfTwo());
+  const Statement causes = seriesCauses(trunnionOfTwo());
   ASSERT_EQ(causes.rows.size(), 1u);
   EXPECT_THAT(causes.rows[0].cells, ElementsAre("Trunnion tilt", "instrument T-1", "12.0″ (u 1.5)", "2",
                                                 "97 %", "2.0", "2.8", "plane warp"));
@@ -45,7 +22,7 @@ TEST(SeriesStatement, NamesCausesWithOwnerSizeAndLookAlikes) {
 }
 
 TEST(SeriesStatement, GivesSizesThatDifferAsParts) {
-  SeriesDiagnosis series = tiltOfTwo();
+  SeriesDiagnosis series = trunnionOfTwo();
   series.causes[0].isDrifting = true;
   series.causes[0].sizes = {{0, {{"tilt", 10, 1.5, "arcsec"}}}, {1, {{"tilt", 14, 1.5, "arcsec"}}}};
   const Statement causes = seriesCauses(series);
@@ -58,7 +35,7 @@ TEST(SeriesStatement, GivesSizesThatDifferAsParts) {
 }
 
 TEST(SeriesStatement, NamesThePatternWithoutACause) {
-  SeriesDiagnosis series = tiltOfTwo();
+  SeriesDiagnosis series = trunnionOfTwo();
   series.causes.clear();
   series.pattern = SharedPattern{.follows = "radius along the guideway", .order = 7, .sessions = {0, 1}};
   const Statement causes = seriesCauses(series);
@@ -69,7 +46,7 @@ TEST(SeriesStatement, NamesThePatternWithoutACause) {
 }
 
 TEST(SeriesStatement, SaysTheVerdictsOfSessionsInWords) {
-  const Statement sessions = seriesSessions(tiltOfTwo());
+  const Statement sessions = seriesSessions(trunnionOfTwo());
   ASSERT_EQ(sessions.rows.size(), 2u);
   EXPECT_EQ(sessions.rows[1].cells[0], "second");
   EXPECT_EQ(sessions.rows[1].cells[4], "One cause: collimation");
@@ -77,7 +54,7 @@ TEST(SeriesStatement, SaysTheVerdictsOfSessionsInWords) {
 }
 
 TEST(SeriesStatement, TakesTheVerdictWithinTheSeriesFromTheWholeDiagnosis) {
-  SeriesDiagnosis series = tiltOfTwo();
+  SeriesDiagnosis series = trunnionOfTwo();
   series.sessions[0].diagnosis.verdict = DiagnosisVerdict::SeveralCauses;
   series.sessions[0].diagnosis.hasMoreCausesThanSeparable = true;
   EXPECT_EQ(seriesSessions(series).rows[0].cells[5], headlineOf(series.sessions[0].diagnosis));

@@ -6,6 +6,7 @@
 #include <QPushButton>
 #include <QSignalSpy>
 
+#include "tests/support/trunnion_series.h"
 #include "ui/panels/parts/statement_view.h"
 #include "ui/series/diagnosis_job.h"
 
@@ -13,33 +14,7 @@ namespace alidade::ui {
 namespace {
 
 SharedSeriesDiagnosis trunnionOfTwo() {
-  SeriesDiagnosis series;
-  series.verdict = DiagnosisVerdict::Ambiguous;
-  SharedCause cause;
-  cause.cause.effect = "trunnion_tilt";
-  cause.cause.probability = 0.97;
-  cause.cause.parameters = {{"tilt", 12, 1.5, "arcsec"}};
-  cause.cause.indistinguishableFrom = {"plane_warp"};
-  cause.owner = CauseOwner::Instrument;
-  cause.serial = "T-1";
-  cause.sessions = {0, 1};
-  cause.visibleInOne = 2;
-  cause.visibleTogether = 2.8;
-  series.causes = {cause};
-  for (const char* name : {"first", "second"}) {
-    SeriesMember member;
-    member.name = name;
-    member.instrument = "T-1";
-    member.guideway = "G-1";
-    member.file = series.sessions.size() + 5;
-    series.sessions.push_back(member);
-  }
-  series.advice = {{.what = SeriesAdvice::What::OtherInstrument,
-                    .guideway = "G-1",
-                    .separates = {"trunnion_tilt", "plane_warp"},
-                    .bySigma = 4.5,
-                    .sessions = 5}};
-  return std::make_shared<const SeriesDiagnosis>(std::move(series));
+  return std::make_shared<const SeriesDiagnosis>(test::trunnionOfTwo());
 }
 
 bool says(const QWidget& panel, const QString& text) {
@@ -77,7 +52,7 @@ TEST(DiagnosisPanel, HandsOutTheSessionThatIsActivated) {
 }
 
 TEST(DiagnosisPanel, OffersWhatSessionsShowAsAnEffect) {
-  SeriesDiagnosis series = *trunnionOfTwo();
+  SeriesDiagnosis series = test::trunnionOfTwo();
   OfferedEffect offer;
   offer.form = {.form = {.of = FormArgument::S, .order = 7},
                 .formula = "radial = A*cos(7*s) + B*sin(7*s)",

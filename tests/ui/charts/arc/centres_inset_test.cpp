@@ -181,16 +181,22 @@ const CentresInset::TitleLine* titleWith(const CentresInset& inset, const char* 
   return nullptr;
 }
 
+/// An inset of `side` by `side` that shows the drawn intersection and this headline.
+struct InsetWith : CentresInset {
+  InsetWith(const Headline& headline, double side) {
+    setStyle(insetStyle());
+    setSquare(QRectF(0, 0, side, side));
+    setIntersection(drawnIntersection());
+    setHeadline(headline);
+  }
+};
+
 TEST(CentresInset, HasTheMeasuredResultAloneInLargeType) {
   const int small = insetStyle().font.pixelSize();
   int titled = 0;
   for (int side = 60; side <= 600; side += 10) {
     SCOPED_TRACE(side);
-    CentresInset inset;
-    inset.setStyle(insetStyle());
-    inset.setSquare(QRectF(0, 0, side, side));
-    inset.setIntersection(drawnIntersection());
-    inset.setHeadline(headlineOfPaper());
+    InsetWith inset(headlineOfPaper(), side);
     if (inset.titleLines().isEmpty()) continue;
     ++titled;
     EXPECT_TRUE(inset.titleLines().front().text.startsWith(QStringLiteral("Δd"))) << "first";
@@ -213,11 +219,7 @@ TEST(CentresInset, ShowsAConditionOrThatThereIsOne) {
   headline.lines.push_back({.kind = Headline::Line::Kind::Jump, .text = "Only if", .isWarning = true});
   int said = 0, marked = 0;
   for (int side = 60; side <= 600; side += 10) {
-    CentresInset inset;
-    inset.setStyle(insetStyle());
-    inset.setSquare(QRectF(0, 0, side, side));
-    inset.setIntersection(drawnIntersection());
-    inset.setHeadline(headline);
+    InsetWith inset(headline, side);
     const auto* verdict = titleWith(inset, "Accepted");
     if (!verdict) continue;
     const bool isSaid = titleWith(inset, "Only if"), isMarked = verdict->text.contains(u'⚠');
@@ -245,11 +247,7 @@ TEST(CentresInset, GivesAWarningTheLinesThatItNeeds) {
   qsizetype mostLines = 0;
   for (int side = 60; side <= 600; side += 10) {
     SCOPED_TRACE(side);
-    CentresInset inset;
-    inset.setStyle(insetStyle());
-    inset.setSquare(QRectF(0, 0, side, side));
-    inset.setIntersection(drawnIntersection());
-    inset.setHeadline(headline);
+    InsetWith inset(headline, side);
     const auto* verdict = titleWith(inset, "Accepted");
     if (!verdict) continue;
     QStringList small;
@@ -292,11 +290,7 @@ TEST(CentresInset, HasACutWarningInTheToolTip) {
 }
 
 TEST(CentresInset, ShowsAProvisionalResultInAnotherColour) {
-  CentresInset inset;
-  inset.setStyle(insetStyle());
-  inset.setSquare(QRectF(0, 0, 400, 400));
-  inset.setIntersection(drawnIntersection());
-  inset.setHeadline(headlineOfPaper());
+  InsetWith inset(headlineOfPaper(), 400);
   EXPECT_EQ(titleWith(inset, "1.30")->colour, insetStyle().text);
   const double scale = inset.scale();
   Headline provisional = headlineOfPaper();
