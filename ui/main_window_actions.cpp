@@ -142,7 +142,7 @@ void WindowActions::fillRecentMenu(QMenu& menu) {
   }
   if (number == 0) menu.addAction(tr("No files yet"))->setEnabled(false);
   menu.addSeparator();
-  QAction* forget = menu.addAction(tr("&Forget These"));
+  QAction* forget = menu.addAction(tr("&Clear This List"));
   forget->setEnabled(number > 0);
   connect(forget, &QAction::triggered, this, [] { RecentFiles::clear(); });
 }

@@ -25,7 +25,7 @@ std::string diagnosisText(const std::string& session, const Gap& gap, const std:
 
 namespace {
 
-/// "0.180 mm (u 0.003)"; an exact number, such as an order, is without uncertainty.
+/// "0.180 mm (u 0.013)"; an exact number, such as an order, is without uncertainty.
 std::string sizeOf(const FormNumber& number) {
   return isExact(number.value, number.sigma) ? displayShortest(number.value) + signOf(unitOf(number))
                                              : sizeWithStandard(number.value, number.sigma, unitOf(number));

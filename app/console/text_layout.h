@@ -10,7 +10,7 @@
 
 namespace alidade::console {
 
-/// The heading of a result: the user's name for the result, always on one line.
+/// The heading of a result: its name, always on one line.
 std::string heading(std::string_view name);
 
 /// Cells in columns, two blanks apart. The first column and the columns marked in `isLeft` are flush left,

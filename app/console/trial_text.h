@@ -24,7 +24,8 @@ std::string seriesTrialJson(const std::vector<ScoredSeries>& series);
 /// Right answers, sightings and minutes of both orders, by kind of cause, as text.
 std::string adaptiveTrialText(const AdaptiveTrials& trials);
 
-/// One JSON document: every trial, and every watched session without an effect.
+/// One JSON document: each trial with a cause, in both orders; each session without a cause, in the order by
+/// worth.
 std::string adaptiveTrialJson(const AdaptiveTrials& trials);
 
 /// Curves of both orders over sightings and over minutes, as CSV: the percentages of sessions named rightly

@@ -19,8 +19,7 @@ void addMethods(const Element& to, const FitAnswer& answer) {
   fit.say("description", [] {
     return Phrase::of(
         "Directions and vertical angles to the slider in the positions 0° and 180° of the axis, adjusted "
-        "together; "
-        "Δd = (y(O1) − y(O2))/2, y up: positive where the arc's centre is the higher one at 0°.");
+        "together; Δd = (y(O1) − y(O2))/2, y up: positive if the arc's centre is higher at 0°.");
   });
   fit.value("norm", "JCGM 100:2008");
   fit.value("reference", "Cui, Ren, Yuan, Liu: Intersection Measurement for Rotatable Arc Guideway System");

@@ -125,7 +125,8 @@ bool GsiTalk::takeSerial(const std::string& line, TalkStep& step) {
   return true;
 }
 
-/// An instrument that does not state its serial number may answer with a code, which is ignored.
+/// Reports an error or warning code. In answer to the question for the serial number a code is ignored: some
+/// instruments do not state the number.
 void GsiTalk::takeCode(const std::string& code, TalkStep& step) {
   if (std::exchange(m_serialUntil, std::nullopt)) return;
   const std::string shown = shownLine(code.substr(0, 40));

@@ -9,12 +9,11 @@
 
 namespace alidade {
 
-// The verdict of an acceptance, which includes the diagnosis. It is a function of the evidence with fixed
-// thresholds.
+// The verdict of an acceptance, from the fit and the diagnosis with fixed thresholds.
 //
 // 1. Both results must agree: Δd ± U of the session's own model, and the measured Δd.
-// 2. The measured Δd must satisfy the guard band (`decide`: accept only if |Δd| + U ≤ T, reject only if |Δd|
-// − U > T). It must also keep the risk on either side of the tolerance small, with the coverage c:
+// 2. The measured Δd must satisfy the guard band (`decide`): accept only if |Δd| + U ≤ T, reject only if
+//    |Δd| − U > T. It must also keep the risk on either side of the tolerance small, with the coverage c:
 //
 //      accept:  P(Δd > T) ≤ (1 − c)/2 and P(Δd < −T) ≤ (1 − c)/2,
 //      reject:  P(Δd ≤ T) ≤ (1 − c)/2 or P(Δd ≥ −T) ≤ (1 − c)/2.
@@ -22,9 +21,9 @@ namespace alidade {
 //    For a single explanation Δd ± kσ with P(t ≤ k) = (1 + c)/2 these conditions equal the guard band: for Δd
 //    + kσ = T, P(Δd > T) = (1 − c)/2. For several distant explanations they are stricter.
 // 3. P is that of the averaged explanations (`IntersectionEstimate`), each with the further standard
-//    uncertainty of unexplained misclosures (`Unexplained::sigma`). The contribution of a misclosure
-//    decreases with the probability of its cause.
-// 4. The verdict is open if the gap is real and unexplained with a probability above `mostUnexplained`.
+//    uncertainty of unexplained misclosures (`Unexplained::sigma`). A misclosure contributes in proportion to
+//    the probability that a further cause is behind it.
+// 4. The verdict is undecided if the gap is real and unexplained with a probability above `mostUnexplained`.
 // 5. An undetectable effect of the catalogue is in U and in the probability, at its plausible size. An
 //    undetectable jump is a condition of the verdict if its influence on Δd, added to the standard
 //    uncertainty, changes the verdict. The probability of conformity includes the jump, with its prior odds.
@@ -76,7 +75,7 @@ std::optional<AcceptanceDecision> decideVerdict(const Measurement& measurement, 
 /// and Δd is judged.
 const MeasuredLength* judgedDistance(const Measurement& measurement, const MeasuredIntersection& measured);
 
-/// Whether the probability of an unexplained gap exceeds `mostUnexplained`, so that the verdict is open.
+/// Whether the probability of an unexplained gap exceeds `mostUnexplained`, so that the verdict is undecided.
 bool isUnexplained(const Diagnosis& diagnosis);
 
 /// Whether the session's model leaves a gap: residuals beyond the noise, or positions that do not close.

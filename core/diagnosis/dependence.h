@@ -30,8 +30,8 @@ constexpr std::size_t mostLeftOut = 8;
 /// Sessions with more rows are examined to first order only.
 constexpr std::size_t mostRowsForLeavingOut = 500;
 
-/// Returns the rows in the order of the session. The arguments are those of `decideAcceptance`, which made
-/// `decision` from them. Empty if the verdict is withheld because of lengths or coverage. On a stop request,
+/// The rows on which `decision` depends, in the order of the session. `decideAcceptance` made `decision` from
+/// the other arguments. Empty if the verdict is withheld because of lengths or coverage. On a stop request,
 /// returns early with fewer rows.
 std::vector<Dependence> dependencesOf(const Measurement& measurement, const SessionFit& fit,
                                       const Diagnosis* diagnosis, const AcceptanceDecision& decision,

@@ -312,7 +312,7 @@ class Assembly {
     zero.horizontal = mean.horizontal;
     zero.vertical = mean.vertical;
     if (mean.isMean)
-      remark(Phrase::of("the pointing zero at %1 is the face 1 mean of %2", nameOf(at), lines));
+      remark(Phrase::of("the pointing zero at %1 is the mean of %2, converted to face 1", nameOf(at), lines));
   }
 
   /// Drops positions without any data: the file does not mention them and nothing was typed for them.

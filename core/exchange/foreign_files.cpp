@@ -36,7 +36,7 @@ std::string_view behind(std::string_view text, std::string_view end) {
                                       : withoutBlanksBefore(text.substr(at + end.size()));
 }
 
-/// The text after a document type, whose inner part may hold brackets.
+/// The text after a document type declaration. Its part in [ ] may contain >.
 std::string_view behindDocumentType(std::string_view text) {
   const std::size_t inner = text.find_first_of("[>");
   const bool hasInner = inner != std::string_view::npos && text[inner] == '[';

@@ -9,7 +9,7 @@ namespace alidade {
 
 namespace {
 
-/// The parts unchanged, separated by blanks, if they do not form an angle.
+/// The parts unchanged, separated by blanks: the text of parts that do not form an angle.
 std::string sideBySide(const std::array<std::string, 3>& parts) {
   std::string text = parts[0];
   for (std::size_t i = 1; i < parts.size(); ++i)

@@ -18,8 +18,8 @@ struct JoinedTable {
 };
 
 /// The rows below one or more heading rows (table_plan.h), with degrees, minutes and seconds joined; parts
-/// that form no angle stay as text, for the reader to refuse. Absent if the first row names no columns; fails
-/// if the headings conflict, such as two columns for one field.
+/// that form no angle stay as text, for the reader to refuse. Absent if the first row names no columns or no
+/// row follows; fails if the headings conflict, such as two columns for one field.
 std::optional<Result<JoinedTable>> joinedTable(const std::vector<TableCells>& rows);
 
 }  // namespace alidade

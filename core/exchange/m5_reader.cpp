@@ -124,7 +124,7 @@ class M5Reader {
 
   void refuseLine(const TextLine& line) {
     m_book.refuse(line.number, 0,
-                  Phrase::of("%1 is no line such as For M5|Adr …|PI1 …|Hz …: transfer the file again, or "
+                  Phrase::of("%1 does not have the form For M5|Adr …|PI1 …|Hz …: transfer the file again, or "
                              "correct or delete the line",
                              quotation(line.text)));
   }

@@ -22,7 +22,7 @@ bool isDegreesOfCircle(const ColumnName& name) {
   return name.column && name.column->isCircle() && name.column->part == AnglePart::Degrees;
 }
 
-/// The column without its part.
+/// The column of the whole angle to which the column's part belongs.
 TableColumn wholeOf(TableColumn column) {
   column.part = AnglePart::Degrees;
   return column;

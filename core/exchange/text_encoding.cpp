@@ -89,7 +89,8 @@ bool isCyrillicLetter(char c) {
 }
 
 /// Are most bytes beyond ASCII in words of three or more Cyrillic letters? Accented Latin letters are in
-/// no such words. `only`: all bytes beyond ASCII must be capitals; pairs of them can be common Chinese, too.
+/// no such words. `only`: every byte beyond ASCII must also be a Cyrillic capital. Such text is tested first,
+/// since pairs of capitals may look like common Chinese characters.
 bool looksCyrillic(std::string_view bytes, bool only) {
   constexpr std::size_t shortestWord = 3;
   std::size_t inWords = 0, all = 0, run = 0;

@@ -92,7 +92,8 @@ Result<std::string> utf8Text(std::string_view bytes) {
   };
   const bool hasTail = hasText(bytes.substr(end)) || hasText(std::string_view(text).substr(endOfText));
   text.resize(endOfText);
-  if (!isFilling(text)) return Problem{Phrase::of("is no text: choose a GSI file, or a table saved as CSV")};
+  if (!isFilling(text))
+    return Problem{Phrase::of("is not a text file: choose a GSI file, or a table saved as CSV")};
   if (hasControls(text)) text = withoutControls(text);
   if (hasTail) text += endOfFile;
   return text;

@@ -31,8 +31,8 @@ struct RoundsAhead {
 
 struct Outlook {
   std::optional<ExpandedPair> now = {};  ///< U of the existing readings; absent without both positions
-  /// U after the rest of the protocol, then after 1, 2, … further rounds: two, and up to eight if these lead
-  /// to a verdict. Empty if the completed protocol yields no Δd.
+  /// U after the rest of the protocol, then after 1, 2, … further rounds: at least two, and up to eight if
+  /// these lead to a verdict. Empty if the completed protocol yields no Δd.
   std::vector<RoundsAhead> ahead = {};
   std::optional<ExpandedPair> limit = {};  ///< U for infinitely many rounds: the part that more rounds
                                            ///< cannot reduce

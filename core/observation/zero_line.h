@@ -15,8 +15,8 @@ namespace alidade {
 //   square (x, y cos e0 − z sin e0, y sin e0 + z cos e0)
 //
 // and is sighted at the elevation e0 + e, where e is reduced. At e0 = 0 both formulas give the point itself.
-// The elevation in place of e causes an error of e0 x²/(2 L²) to first order. Source: rotation about the
-// trunnion axis.
+// Using the reduced e as the elevation causes an error of e0 x²/(2 L²) in e, to first order. Source: rotation
+// about the trunnion axis.
 
 /// A point or vector, mm in o0.
 template <typename T>

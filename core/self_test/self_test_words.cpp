@@ -18,9 +18,10 @@ std::string titleOf(CheckGroup group) {
     case CheckGroup::Diagnosis:
       return Phrase::of("Simulated sessions whose cause is known");
     case CheckGroup::Distributions:
-      return Phrase::of("Coverage factors (t), tails of χ² and F, normal quantiles, at 50 digits");
+      return Phrase::of(
+          "Coverage factors (t), tails of χ² and F, normal quantiles: reference values with 50 digits");
     case CheckGroup::Angles:
-      return Phrase::of("Conversion of typed angles, at 50 digits");
+      return Phrase::of("Conversion of typed angles: reference values with 50 digits");
     case CheckGroup::Random:
       return Phrase::of("Random numbers and a simulated session, by a second implementation");
     case CheckGroup::Installed:

@@ -260,8 +260,8 @@ void JournalReplay::takeBackCell(const Path& path, std::size_t index) {
   const std::string held = cellTextOf(*row, path.field);
   const ValueKind kind = kindOfCell(path.field);
   const std::string recorded = filedText(entry.to, kind);
-  // Before the first seal, a cell may have been filled in or belong to another row: only a change with a
-  // first text counts.
+  // Before the first seal, a different text alone proves nothing: the cell may have been filled in later, or
+  // be in another row. Only a cell with a first text contradicts the entry.
   const auto marks = row->find(firstTexts);
   const bool isMarked = marks != row->end() && marks->contains(path.field);
   if (held != recorded && (isSealed || (isMarked && !entry.to.empty()))) {

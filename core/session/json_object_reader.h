@@ -45,7 +45,7 @@ class ObjectReader {
   bool flag(std::string_view key) const;
 
   ObjectReader object(const char* key) const;
-  /// The members of a list; empty if the key is absent or has another type.
+  /// The members of a list; empty if the key is absent. Another type is reported, and the list is empty.
   const Json& list(const char* key) const;
   /// A reader of one object in a list.
   ObjectReader member(const char* key, std::size_t index, const Json& json) const;

@@ -115,7 +115,7 @@ struct ZeroSightings {
 struct ArcMeasurement {
   std::size_t position = 0;            ///< index into the session's positions
   int axisDeg = 0;                     ///< 0 or 180
-  Angle zeroHorizontal, zeroVertical;  ///< α0 and β0 as read, converted to face 1
+  Angle zeroHorizontal, zeroVertical;  ///< α0 and β0: mean circle readings of `zero`, as in face 1
   std::vector<Sighting> sightings;
   int repeat = 1;  ///< repeat at this axis in the session
   ZeroSightings zero = {};

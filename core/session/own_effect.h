@@ -16,7 +16,7 @@ struct Session;
 /// An amplitude of one of the user's own effects.
 struct OwnParameter {
   std::string name = {};       ///< name of the amplitude in the formula
-  std::string plausible = {};  ///< 1σ of the plausible size, > 0
+  std::string plausible = {};  ///< plausible size (1σ), > 0
   std::string unit = {};       ///< unit of its line in the formula, "mm" or "arcsec"; may be empty
   JsonOrigin origin = {};
 

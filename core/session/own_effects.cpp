@@ -23,7 +23,7 @@ bool isId(const std::string& text) {
   return !text.empty() && text.size() <= longestId && std::ranges::all_of(text, isInId);
 }
 
-/// The problem of the parameter for an amplitude, at its key; absent if it is sound.
+/// The problem of the parameter for an amplitude, at its key; absent if it has none.
 std::optional<Problem> parameterProblem(const OwnEffect& effect, const FormulaAmplitude& amplitude) {
   const auto own = std::ranges::find(effect.parameters, amplitude.name, &OwnParameter::name);
   if (own == effect.parameters.end())

@@ -21,7 +21,7 @@ std::string ownId(const OwnEffect& effect);
 /// An id made of a name: letters, digits and - stay, all else becomes _. At most 40 bytes.
 std::string ownIdFrom(std::string name);
 
-/// One of the user's own effects that is sound, with its error terms.
+/// A usable effect of the user's own, with its error terms.
 struct OwnEntry {
   OwnEffect source;
   std::string id;  ///< `ownPrefix` and the effect's id
@@ -30,8 +30,8 @@ struct OwnEntry {
   Effect effect = {};                 ///< refers to the texts of `source`
 };
 
-/// The sound effects of a session; each amplitude has one of the error terms reserved for own effects. The
-/// entries never move, so pointers to their `Effect` stay valid. Measurements share the object.
+/// The user's own effects in a session that are usable; each amplitude has one of the error terms reserved
+/// for them. The entries never move, so pointers to their `Effect` stay valid. Measurements share the object.
 class OwnEffects {
  public:
   /// `entries` have their terms; the constructor fills in each `effect`.
@@ -48,11 +48,11 @@ class OwnEffects {
   std::vector<OwnEntry> m_entries;
 };
 
-/// The first reason why an effect cannot be used; absent if it is sound. `where` names the key.
+/// The first reason why an effect is unusable; absent if it is usable. `where` names the key.
 std::optional<Problem> ownEffectProblem(const OwnEffect& effect);
 
-/// The sound effects among the first 20; null if there are none. Adds a problem for each unsound effect, and
-/// one problem if there are more than 20.
+/// The usable effects among the first 20; null if there are none. Adds a problem for each unusable effect,
+/// and one problem if there are more than 20.
 std::shared_ptr<const OwnEffects> examineOwnEffects(const std::vector<OwnEffect>& effects,
                                                     std::vector<Problem>& problems);
 

@@ -253,7 +253,7 @@ class SeriesDraw {
       const double angle = m_random.uniform(0, 2 * std::numbers::pi);
       const double one = visibleIn(s, *effect, angle).value_or(0);
       if (effect->id == m_seal.kind || !(visible < mostPlausible * one)) continue;
-      // The truth already contains the shared effect, as it did for `visibleIn`.
+      // The truth still contains the shared effect, with which `visibleIn` found the visibility `one`.
       Truth clean = m_truths[s];
       setSize(clean, *effect, angle, visible / std::max(one, 1e-9));
       m_truths[s] = clean;

@@ -216,7 +216,7 @@ Statement gapCauses(const Gap& gap) {
                       .columns = {{"cause", Phrase::of("Cause or form"), Role::Name},
                                   {"size", Phrase::of("size ± U")},
                                   {"probability", Phrase::of("probability")},
-                                  {"shrinks", Phrase::of("closes or shrinks"), Role::Bar},
+                                  {"shrinks", Phrase::of("change of the gap"), Role::Bar},
                                   {"look_alikes", Phrase::of("indistinguishable"), Role::Text}},
                       .rows = Rows(gap).rows};
   if (statement.rows.empty()) return statement;

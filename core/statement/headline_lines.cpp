@@ -71,7 +71,7 @@ Line acrossLine(const Measurement& measurement, const MeasuredIntersection& meas
   const std::string across = sizeWithExpanded(measured.across->value, measured.across->expanded, "mm");
   if (isOfDistance)
     return {.kind = Line::Kind::Across,
-            .text = Phrase::of("In the plane of the arc Δd = %1, across it Δz = %2",
+            .text = Phrase::of("In the plane of the arc Δd = %1, perpendicular to it Δz = %2",
                                sizeWithExpanded(inPlane.value, inPlane.expanded, "mm"), across)};
   return {
       .kind = Line::Kind::Across,
@@ -95,7 +95,7 @@ std::string withDetails(const std::string& text, const std::string& details) {
 std::string disagreementText(const Diagnosis& diagnosis) {
   switch (diagnosis.verdict) {
     case DiagnosisVerdict::WithinNoise:
-      return Phrase::of("The positions do not close");
+      return Phrase::of("The positions do not agree");
     case DiagnosisVerdict::NotInCatalogue:
       return Phrase::of("Model and readings disagree, and no catalogued effect explains it");
     case DiagnosisVerdict::SeveralCauses:
@@ -105,7 +105,7 @@ std::string disagreementText(const Diagnosis& diagnosis) {
     case DiagnosisVerdict::Ambiguous:
       break;
   }
-  return Phrase::of("The readings scatter more than stated, which U includes");
+  return Phrase::of("The readings scatter more than stated; U includes this");
 }
 
 bool isFound(const Diagnosis& diagnosis, const std::string& effect) {

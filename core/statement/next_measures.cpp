@@ -51,11 +51,11 @@ void add(Entry& entry, std::string shows, double ofCauses, double ofUncertainty)
   entry.ofUncertainty = std::max(entry.ofUncertainty, ofUncertainty);
 }
 
-/// "would show a and b by 3.0 σ or more", "separates any two of a, b and c by 4.1 σ or more; probability …".
+/// "would show a and b at 3.0 σ or more", "separates any two of a, b and c by 4.1 σ or more; probability …".
 std::string whatItShows(const Advice& advice) {
   const std::string names = causeNames(advice.separates, Phrase::of(" and ")),
                     sigmas = displayText(advice.bySigma, 1);
-  if (advice.ofUndetectable) return Phrase::of("would show %1 by %2 σ or more", names, sigmas);
+  if (advice.ofUndetectable) return Phrase::of("would show %1 at %2 σ or more", names, sigmas);
   const std::string text = advice.separates.size() == 2
                                ? Phrase::of("separates %1 by %2 σ or more", names, sigmas)
                                : Phrase::of("separates any two of %1 by %2 σ or more", names, sigmas);

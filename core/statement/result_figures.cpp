@@ -74,7 +74,7 @@ constexpr ArcFigure ofArc[] = {
 
 constexpr MeasuredFigure ofIntersection[] = {
     {.id = "across_plane",
-     .name = PHRASE_LATER("Phrase", "Δz, across the plane of the arc"),
+     .name = PHRASE_LATER("Phrase", "Δz, perpendicular to the plane of the arc"),
      .distribution = "Student's t",
      .isNonNegative = false,
      .length = &MeasuredIntersection::across},

@@ -85,7 +85,7 @@ Statement seriesCauses(const SeriesDiagnosis& series) {
   Statement statement{.id = "series_causes",
                       .title = Phrase::of("What the sessions share"),
                       .columns = {{"cause", Phrase::of("Cause"), Role::Name},
-                                  {"owner", Phrase::of("Owner"), Role::Word},
+                                  {"owner", Phrase::of("Belongs to"), Role::Word},
                                   {"size", Phrase::of("Size"), Role::Word},
                                   {"sessions", Phrase::of("Sessions")},
                                   {"probability", Phrase::of("Probability")},

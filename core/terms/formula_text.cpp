@@ -145,9 +145,11 @@ class ExpressionReader {
     if (isCall(length)) {
       const FormulaFunction* function = named(formulaFunctions, name);
       if (!function)
-        return refuse(length, Phrase::of("%1 is no function: there are bump, step, hinge, exponential, sin, "
-                                         "cos, tan, exp, ln, sqrt, abs, min, max and the like.",
-                                         quotation(name)));
+        return refuse(
+            length,
+            Phrase::of("%1 is not a known function: use bump, step, hinge, exponential, sin, cos, tan, asin, "
+                       "acos, atan, atan2, sinh, cosh, tanh, exp, ln, sqrt, abs, sign, min or max.",
+                       quotation(name)));
       m_result.text += name;
       m_next += length;
       skipBlanks();

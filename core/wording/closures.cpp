@@ -71,7 +71,7 @@ std::string misclosureSentence(const Diagnosis& diagnosis) {
   std::string text;
   if (!ofPositions.empty())
     text = Phrase::of(
-        "The positions do not close: %1. A movement between them may have changed Δd: find it, or measure "
+        "The positions do not agree: %1. A movement between them may have changed Δd: find it, or measure "
         "again with new pointing zeros.",
         listed(ofPositions, Phrase::of(" and ")));
   if (!ofKnown.empty())
@@ -90,9 +90,10 @@ bool isAcrossSignificant(const MeasuredIntersection& measured) {
 std::string acrossSentence(const MeasuredIntersection& measured) {
   if (!measured.across)
     return Phrase::of(
-        "The offset Δz of the arc's centre from the axis, across the plane of the arc, was not measured.");
+        "The offset Δz of the arc's centre from the axis, perpendicular to the plane of the arc, was not "
+        "measured.");
   const auto& [value, sigma, expanded] = *measured.across;
-  return Phrase::of("The arc's centre is Δz = %1 off the axis, across the plane of the arc.",
+  return Phrase::of("The arc's centre is Δz = %1 off the axis, perpendicular to the plane of the arc.",
                     lengthWithUncertainty(value, expanded, decimalsFor(expanded)));
 }
 

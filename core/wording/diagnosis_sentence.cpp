@@ -59,8 +59,8 @@ std::string shrunk(const Diagnosis& diagnosis) {
   const std::string residuals = change(diagnosis.gap, diagnosis.after);
   const bool changes = displayText(diagnosis.gap.rms, 1) != displayText(diagnosis.after.rms, 1);
   const std::string effect = !closes(diagnosis) ? residuals
-                             : changes          ? Phrase::of("the two positions close, and %1", residuals)
-                                                : Phrase::of("the two positions close");
+                             : changes          ? Phrase::of("the two positions agree, and %1", residuals)
+                                                : Phrase::of("the two positions agree");
   if (first == grossErrorId && diagnosis.causes.size() == 1)
     return Phrase::of("Without the misread values, %1.", effect);
   return diagnosis.causes.size() == 1 ? Phrase::of("With the cause in the model, %1.", effect)
@@ -116,7 +116,7 @@ std::string headlineOf(const Diagnosis& diagnosis) {
   const std::vector<Cause>& causes = diagnosis.causes;
   switch (diagnosis.verdict) {
     case DiagnosisVerdict::WithinNoise:
-      return isMisclosed(diagnosis) ? Phrase::of("The positions do not close")
+      return isMisclosed(diagnosis) ? Phrase::of("The positions do not agree")
                                     : Phrase::of("No gap: within the noise");
     case DiagnosisVerdict::SingleCause:
       return Phrase::of("One cause: %1", causeName(causes.front().effect));

@@ -8,7 +8,7 @@
 
 namespace alidade {
 
-/// The name of the pattern in a gap without a cause: "vertical readings with azimuth".
+/// The name of the pattern in a gap without a cause: "vertical readings varying with azimuth".
 std::string patternName(const GapShape& shape);
 
 /// The verdict in a few words: "One cause: collimation".

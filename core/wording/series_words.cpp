@@ -163,9 +163,10 @@ std::string sentenceOf(const SeriesAdvice& advice) {
                        advice.guideway, orAnother(advice.instrument), advice.sessions, them, sigmas);
     case SeriesAdvice::What::Again:
       if (!advice.instrument.empty())
-        return Phrase::of("Measure with instrument %1 in %2 more sessions: %3 would then show by %4 σ.",
-                          advice.instrument, advice.sessions, them, sigmas);
-      return Phrase::of("Measure guideway %1 in %2 more sessions: %3 would then show by %4 σ.",
+        return Phrase::of(
+            "Measure with instrument %1 in %2 more sessions: %3 would then be detectable at %4 σ.",
+            advice.instrument, advice.sessions, them, sigmas);
+      return Phrase::of("Measure guideway %1 in %2 more sessions: %3 would then be detectable at %4 σ.",
                         orAnother(advice.guideway), advice.sessions, them, sigmas);
   }
   return {};

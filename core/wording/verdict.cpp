@@ -105,7 +105,7 @@ std::string distanceText(const Measurement& measurement, const MeasuredIntersect
   const auto part = [&](const auto& length) { return lengthText(length.value, length.expanded, tolerance); };
   return Phrase::of(
       "The arc's centre is %1 from the axis, all effects considered: %2 in the plane of the arc (Δd), %3 "
-      "across it (Δz). The interval is %4.",
+      "perpendicular to it (Δz). The interval is %4.",
       withCoverage(part(*measured.distance), measurement.coverage), part(measured.estimate),
       part(*measured.across),
       conformityText(decision.asFound.value_or(Verdict::Undecided), limitText(tolerance)));
@@ -199,9 +199,9 @@ std::string verdictSentence(const Measurement& measurement, const SessionFit& fi
       inTurn(estimatesText(measurement, fit, diagnosis, decision), acrossText(measurement, diagnosis));
   if (decision.obstacle == AcceptanceDecision::Obstacle::AcrossUnknown)
     return Phrase::of(
-        "The tolerance applies to the whole distance from the axis, and its part across the plane of the arc "
-        "was not measured: read both positions over more of the arc, or state the known plane offset of the "
-        "device. %1",
+        "The tolerance applies to the whole distance from the axis, and its part perpendicular to the plane "
+        "of the arc was not measured: read both positions over more of the arc, or state the known plane "
+        "offset of the device. %1",
         rests);
   if (decision.obstacle == AcceptanceDecision::Obstacle::Unexplained)
     return inTurn(Phrase::of("The verdict is open. %1", unexplainedText(*diagnosis)),

@@ -1262,7 +1262,7 @@ Sealed by:</source>
     </message>
     <message>
         <source>Known sizes and effects</source>
-        <translation>已知量值与效应</translation>
+        <translation>已知值与效应</translation>
     </message>
     <message>
         <source>Report, journal and seal</source>
@@ -1324,7 +1324,7 @@ Sealed by:</source>
     </message>
     <message>
         <source>known size of %1</source>
-        <translation>%1的已知量值</translation>
+        <translation>%1的已知值</translation>
     </message>
 </context>
 <context>
@@ -1601,15 +1601,15 @@ Sealed by:</source>
         <translation>各轴位中半径随位置的变化</translation>
     </message>
     <message>
-        <source>horizontal orientation with time</source>
+        <source>horizontal orientation varying with time</source>
         <translation>随时间变化的水平定向</translation>
     </message>
     <message>
-        <source>vertical orientation with time</source>
+        <source>vertical orientation varying with time</source>
         <translation>随时间变化的竖直定向</translation>
     </message>
     <message>
-        <source>orientation with time</source>
+        <source>orientation varying with time</source>
         <translation>随时间变化的定向</translation>
     </message>
     <message>
@@ -1617,23 +1617,23 @@ Sealed by:</source>
         <translation>随时间趋于稳定的定向</translation>
     </message>
     <message>
-        <source>distance with time</source>
+        <source>distance varying with time</source>
         <translation>随时间变化的距离</translation>
     </message>
     <message>
-        <source>horizontal readings with azimuth</source>
+        <source>horizontal readings varying with azimuth</source>
         <translation>随方位角变化的水平读数</translation>
     </message>
     <message>
-        <source>vertical readings with elevation</source>
+        <source>vertical readings varying with elevation</source>
         <translation>随高度角变化的竖直读数</translation>
     </message>
     <message>
-        <source>horizontal readings with elevation</source>
+        <source>horizontal readings varying with elevation</source>
         <translation>随高度角变化的水平读数</translation>
     </message>
     <message>
-        <source>vertical readings with azimuth</source>
+        <source>vertical readings varying with azimuth</source>
         <translation>随方位角变化的竖直读数</translation>
     </message>
     <message>
@@ -1989,8 +1989,8 @@ Sealed by:</source>
         <translation>%1 的瞄准零位保持原有值；%2的照准未使用</translation>
     </message>
     <message>
-        <source>the pointing zero at %1 is the face 1 mean of %2</source>
-        <translation>%1 的瞄准零位为%2的盘左平均值</translation>
+        <source>the pointing zero at %1 is the mean of %2, converted to face 1</source>
+        <translation>%1 的瞄准零位为%2的平均值（已换算到盘左）</translation>
     </message>
     <message>
         <source>180° was read before 0°, but a session assumes 0° first: a drift or a jump between the positions would get the wrong sign</source>
@@ -2245,8 +2245,8 @@ Sealed by:</source>
         <translation>文件中没有说明轴的位置：其所有读数归入 0°</translation>
     </message>
     <message>
-        <source>%1 is no line such as For M5|Adr …|PI1 …|Hz …: transfer the file again, or correct or delete the line</source>
-        <translation>%1 不是 For M5|Adr …|PI1 …|Hz … 那样的行：请重新传输文件，或改正、删除该行</translation>
+        <source>%1 does not have the form For M5|Adr …|PI1 …|Hz …: transfer the file again, or correct or delete the line</source>
+        <translation>%1 不符合 For M5|Adr …|PI1 …|Hz … 的格式：请重新传输文件，或改正、删除该行</translation>
     </message>
     <message>
         <source>is marked with e, an error of the instrument: measure the point again</source>
@@ -2409,8 +2409,8 @@ Sealed by:</source>
         <translation>备注 %1</translation>
     </message>
     <message>
-        <source>is no text: choose a GSI file, or a table saved as CSV</source>
-        <translation>不是文本：请选择 GSI 文件，或保存为 CSV 的表格</translation>
+        <source>is not a text file: choose a GSI file, or a table saved as CSV</source>
+        <translation>不是文本文件：请选择 GSI 文件，或保存为 CSV 的表格</translation>
     </message>
     <message>
         <source>%1°, repeat %2</source>
@@ -2509,7 +2509,7 @@ Sealed by:</source>
     </message>
     <message>
         <source>is empty: type the standard uncertainty of the known size</source>
-        <translation>为空：请输入已知量值的标准不确定度</translation>
+        <translation>为空：请输入已知值的标准不确定度</translation>
     </message>
     <message>
         <source>%1 is out of range: it must be at least 0.000001 and below 1000000</source>
@@ -2727,7 +2727,7 @@ Sealed by:</source>
         <translation>%1 距首次照准的瞄准零位 %2°：请检查度数和盘位</translation>
     </message>
     <message>
-        <source>The arc&apos;s centre is Δz = %1 off the axis, across the plane of the arc.</source>
+        <source>The arc&apos;s centre is Δz = %1 off the axis, perpendicular to the plane of the arc.</source>
         <translation>在垂直于圆弧平面的方向上，圆心偏离回转轴 Δz = %1。</translation>
     </message>
     <message>
@@ -2900,7 +2900,7 @@ Sealed by:</source>
         <translation>Δd − 参考值</translation>
     </message>
     <message>
-        <source>The positions do not close: %1. A movement between them may have changed Δd: find it, or measure again with new pointing zeros.</source>
+        <source>The positions do not agree: %1. A movement between them may have changed Δd: find it, or measure again with new pointing zeros.</source>
         <translation>各轴位不闭合：%1。其间的变动可能已使 Δd 改变：请找出原因，或重新测量并再次照准零位。</translation>
     </message>
     <message>
@@ -2948,11 +2948,11 @@ Sealed by:</source>
         <translation>读数的离散是给定值的 %1 倍，且没有规律。</translation>
     </message>
     <message>
-        <source>the two positions close, and %1</source>
+        <source>the two positions agree, and %1</source>
         <translation>两个轴位闭合，并且%1</translation>
     </message>
     <message>
-        <source>the two positions close</source>
+        <source>the two positions agree</source>
         <translation>两个轴位闭合</translation>
     </message>
     <message>
@@ -3177,7 +3177,7 @@ Sealed by:</source>
     </message>
     <message>
         <source>Check R0, its σ and the distance, or let the radius be free.</source>
-        <translation>请检查 R0、其 σ 和距离，或让半径自由。</translation>
+        <translation>请检查 R0、其 σ 和距离，或将半径设为自由。</translation>
     </message>
     <message>
         <source>The session&apos;s model names %1, which is no effect that can be estimated.</source>
@@ -3449,7 +3449,7 @@ Sealed by:</source>
     </message>
     <message>
         <source>These readings only just determine the arc. Type further readings: each of them checks the model.</source>
-        <translation>这些读数刚好确定圆弧。请录入更多读数：每个读数都检核模型。</translation>
+        <translation>这些读数刚好确定圆弧。请录入更多读数：每增加一个读数都能检核模型。</translation>
     </message>
     <message>
         <source>is not a file of unsaved changes</source>
@@ -3745,7 +3745,7 @@ title of a column and its cell: &quot;indistinguishable: gravity sag&quot;</extr
     <message>
         <source>The known sizes (%1) explain the gap: with them %2, and the rest is within the stated noise.</source>
         <extracomment>effects, then &quot;the residuals shrink from 12.0″ to 2.0″&quot;</extracomment>
-        <translation>已知量值（%1）说明了差距：计入后%2，其余在给定噪声之内。</translation>
+        <translation>已知值（%1）说明了差距：计入后%2，其余在给定噪声之内。</translation>
     </message>
     <message>
         <source>%1 ± %2</source>
@@ -3834,11 +3834,11 @@ title of a column and its cell: &quot;indistinguishable: gravity sag&quot;</extr
         <translation>只有一份测量记录：无法比较。</translation>
     </message>
     <message>
-        <source>Δd has changed from %1 to %2: by %3, %4.</source>
+        <source>Δd has changed between %1 and %2 by %3, %4.</source>
         <translation>从 %1 到 %2，Δd 改变了 %3，%4。</translation>
     </message>
     <message>
-        <source>No change of Δd is detectable from %1 to %2: the difference is %3, %4.</source>
+        <source>No change of Δd is detectable between %1 and %2: the difference is %3, %4.</source>
         <translation>从 %1 到 %2 看不出 Δd 的变化：差为 %3，%4。</translation>
     </message>
     <message>
@@ -3846,12 +3846,12 @@ title of a column and its cell: &quot;indistinguishable: gravity sag&quot;</extr
         <translation>%1（T = %2，共 %3 个量，%4）</translation>
     </message>
     <message>
-        <source>By the readings alone the device is congruent: (O1 − O2)/2 and the radii agree.</source>
-        <translation>仅按读数，设备全等：(O1 − O2)/2 和半径一致。</translation>
+        <source>From the readings alone, the device shows no change: (O1 − O2)/2 and the radii agree.</source>
+        <translation>仅从读数看，设备没有变化：(O1 − O2)/2 和半径一致。</translation>
     </message>
     <message>
-        <source>By the readings alone the device is not congruent: (O1 − O2)/2 or the radii differ.</source>
-        <translation>仅按读数，设备不全等：(O1 − O2)/2 或半径不同。</translation>
+        <source>From the readings alone, the device has changed: (O1 − O2)/2 or the radii differ.</source>
+        <translation>仅从读数看，设备已有变化：(O1 − O2)/2 或半径不同。</translation>
     </message>
     <message>
         <source>O1 and O2 have not moved relative to the theodolite.</source>
@@ -4323,11 +4323,11 @@ title of a column and its cell: &quot;indistinguishable: gravity sag&quot;</extr
     </message>
     <message>
         <source>Undecided: the value is within the tolerance, and the uncertainty reaches beyond it. %1</source>
-        <translation>待定：值在允差之内，而不确定度超出允差。%1</translation>
+        <translation>待定：值在允差之内，但其不确定度区间超出允差。%1</translation>
     </message>
     <message>
         <source>Undecided: the value is beyond the tolerance, and the uncertainty reaches into it. %1</source>
-        <translation>待定：值在允差之外，而不确定度伸入允差。%1</translation>
+        <translation>待定：值在允差之外，但其不确定度区间与允差有重叠。%1</translation>
     </message>
     <message>
         <source>Tolerance</source>
@@ -4374,7 +4374,7 @@ title of a column and its cell: &quot;indistinguishable: gravity sag&quot;</extr
         <translation>未测量</translation>
     </message>
     <message>
-        <source>Δz, across the plane of the arc</source>
+        <source>Δz, perpendicular to the plane of the arc</source>
         <translation>Δz，垂直于圆弧平面</translation>
     </message>
     <message>
@@ -4426,7 +4426,7 @@ title of a column and its cell: &quot;indistinguishable: gravity sag&quot;</extr
         <translation>圆弧对经纬仪读数的严密最小二乘拟合</translation>
     </message>
     <message>
-        <source>Directions and vertical angles to the slider in the positions 0° and 180° of the axis, adjusted together; Δd = (y(O1) − y(O2))/2, y up: positive where the arc&apos;s centre is the higher one at 0°.</source>
+        <source>Directions and vertical angles to the slider in the positions 0° and 180° of the axis, adjusted together; Δd = (y(O1) − y(O2))/2, y up: positive if the arc&apos;s centre is higher at 0°.</source>
         <translation>轴位 0° 和 180° 时对滑块的水平方向与竖直角一并平差；Δd = (y(O1) − y(O2))/2，y 向上：圆心在 0° 时较高为正。</translation>
     </message>
     <message>
@@ -4687,7 +4687,7 @@ title of a column and its cell: &quot;indistinguishable: gravity sag&quot;</extr
     </message>
     <message>
         <source>%1 of %2 sightings are taken.</source>
-        <translation>%2 次照准中已有 %1 次。</translation>
+        <translation>%2 次照准中已完成 %1 次。</translation>
     </message>
     <message>
         <source>One was skipped.</source>
@@ -4818,12 +4818,12 @@ title of a column and its cell: &quot;indistinguishable: gravity sag&quot;</extr
         <translation>原因已知的模拟测量记录</translation>
     </message>
     <message>
-        <source>Coverage factors (t), tails of χ² and F, normal quantiles, at 50 digits</source>
-        <translation>包含因子（t）、χ² 与 F 的尾概率、正态分位数，50 位数字</translation>
+        <source>Coverage factors (t), tails of χ² and F, normal quantiles: reference values with 50 digits</source>
+        <translation>包含因子（t）、χ² 与 F 的尾概率、正态分位数：参考值为 50 位数字</translation>
     </message>
     <message>
-        <source>Conversion of typed angles, at 50 digits</source>
-        <translation>所输入角度的换算，50 位数字</translation>
+        <source>Conversion of typed angles: reference values with 50 digits</source>
+        <translation>录入角度的换算：参考值为 50 位数字</translation>
     </message>
     <message>
         <source>Random numbers and a simulated session, by a second implementation</source>
@@ -5226,8 +5226,8 @@ title of a column and its cell: &quot;indistinguishable: gravity sag&quot;</extr
         <translation>%1：水平度盘的计数方向与%2相反（目标 %3）：请在所有测回中采用同一方向，或逐一检查</translation>
     </message>
     <message>
-        <source>%1: target %2 is %3 from its place in %4: name the stations where the instrument was moved, give each target a name of its own, or correct the reading</source>
-        <translation>%1：目标 %2 偏离其在%4中的位置 %3：仪器移动过时请注明测站，给每个目标各自的名称，或改正读数</translation>
+        <source>%1: target %2 is %3 from its direction in %4: correct the reading; or name the stations if the instrument was moved, or the targets if they are different ones</source>
+        <translation>%1：目标 %2 与其在%4中的方向相差 %3：请改正读数；若仪器移动过，请注明测站；若是不同的目标，请分别命名</translation>
     </message>
     <message>
         <source>direction</source>
@@ -5270,8 +5270,8 @@ title of a column and its cell: &quot;indistinguishable: gravity sag&quot;</extr
         <translation>从%1起的测回观测的目标与此前不同：按另一测站评定。</translation>
     </message>
     <message>
-        <source>Target %1 (%2) is %3° from its place in an earlier round (%4): these rounds are evaluated as another station.</source>
-        <translation>目标 %1（%2）偏离其在先前测回（%4）中的位置 %3°：这些测回按另一测站评定。</translation>
+        <source>Target %1 (%2) is %3° from its direction in an earlier round (%4): these rounds are evaluated as another station.</source>
+        <translation>目标 %1（%2）与其在先前测回（%4）中的方向相差 %3°：这些测回按另一测站评定。</translation>
     </message>
     <message>
         <source>%1 is out of range: it must be above -10 and below 10 mm</source>
@@ -5521,7 +5521,7 @@ title of a column and its cell: &quot;indistinguishable: gravity sag&quot;</extr
         <translation>Δd = %1，计入全部效应，%2；仅拟合 Δd = %3，%4。%5</translation>
     </message>
     <message>
-        <source>The arc&apos;s centre is %1 from the axis, all effects considered: %2 in the plane of the arc (Δd), %3 across it (Δz). The interval is %4.</source>
+        <source>The arc&apos;s centre is %1 from the axis, all effects considered: %2 in the plane of the arc (Δd), %3 perpendicular to it (Δz). The interval is %4.</source>
         <translation>计入全部效应，圆心到回转轴的距离为 %1：圆弧平面内 %2（Δd），垂直于该平面 %3（Δz）。该区间%4。</translation>
     </message>
     <message>
@@ -5822,8 +5822,8 @@ title of a column and its cell: &quot;indistinguishable: gravity sag&quot;</extr
         <translation>这不是有效的数：请输入不大于 10^15 的数，小数点用句点。</translation>
     </message>
     <message>
-        <source>%1 is no function: there are bump, step, hinge, exponential, sin, cos, tan, exp, ln, sqrt, abs, min, max and the like.</source>
-        <translation>%1 不是函数：可用 bump、step、hinge、exponential、sin、cos、tan、exp、ln、sqrt、abs、min、max 等。</translation>
+        <source>%1 is not a known function: use bump, step, hinge, exponential, sin, cos, tan, asin, acos, atan, atan2, sinh, cosh, tanh, exp, ln, sqrt, abs, sign, min or max.</source>
+        <translation>%1 不是可用的函数：请用 bump、step、hinge、exponential、sin、cos、tan、asin、acos、atan、atan2、sinh、cosh、tanh、exp、ln、sqrt、abs、sign、min 或 max。</translation>
     </message>
     <message>
         <source>The readings have no temperature of their own: take another variable, such as t, the elapsed share of the session.</source>
@@ -5966,7 +5966,7 @@ title of a column and its cell: &quot;indistinguishable: gravity sag&quot;</extr
         <translation>%1失败：%2。录入的内容没有丢失；请保存测量记录后继续。故障的描述无法写入 %3。</translation>
     </message>
     <message>
-        <source>would show %1 by %2 σ or more</source>
+        <source>would show %1 at %2 σ or more</source>
         <translation>能以 %2 σ 或更高的程度显示%1</translation>
     </message>
     <message>
@@ -6077,8 +6077,8 @@ title of a column and its cell: &quot;indistinguishable: gravity sag&quot;</extr
         <translation>概率</translation>
     </message>
     <message>
-        <source>closes or shrinks</source>
-        <translation>闭合或缩小</translation>
+        <source>change of the gap</source>
+        <translation>差距的变化</translation>
     </message>
     <message>
         <source>indistinguishable</source>
@@ -6138,7 +6138,7 @@ title of a column and its cell: &quot;indistinguishable: gravity sag&quot;</extr
     </message>
     <message>
         <source>Size</source>
-        <translation>已知量</translation>
+        <translation>已知值</translation>
     </message>
     <message>
         <source>these readings</source>
@@ -6186,7 +6186,7 @@ title of a column and its cell: &quot;indistinguishable: gravity sag&quot;</extr
     </message>
     <message>
         <source>+ known sizes</source>
-        <translation>+ 已知量值</translation>
+        <translation>+ 已知值</translation>
     </message>
     <message>
         <source>in the model: %1</source>
@@ -6245,7 +6245,7 @@ title of a column and its cell: &quot;indistinguishable: gravity sag&quot;</extr
         <translation>诊断已停止。下次编辑会重新开始。</translation>
     </message>
     <message>
-        <source>The positions do not close</source>
+        <source>The positions do not agree</source>
         <translation>各轴位不闭合</translation>
     </message>
     <message>
@@ -6457,7 +6457,7 @@ Includes every catalogued effect, limited by these readings or by its plausible 
         <translation>垂直于圆弧平面：Δz 未测量</translation>
     </message>
     <message>
-        <source>In the plane of the arc Δd = %1, across it Δz = %2</source>
+        <source>In the plane of the arc Δd = %1, perpendicular to it Δz = %2</source>
         <translation>圆弧平面内 Δd = %1，垂直于该平面 Δz = %2</translation>
     </message>
     <message>
@@ -6477,7 +6477,7 @@ Includes every catalogued effect, limited by these readings or by its plausible 
         <translation>模型与读数不符，其原因多于这些读数所能区分的</translation>
     </message>
     <message>
-        <source>The readings scatter more than stated, which U includes</source>
+        <source>The readings scatter more than stated; U includes this</source>
         <translation>读数的离散大于给定值，U 已将其计入</translation>
     </message>
     <message>
@@ -6593,8 +6593,8 @@ Includes every catalogued effect, limited by these readings or by its plausible 
         <translation>已改变</translation>
     </message>
     <message>
-        <source>not congruent</source>
-        <translation>不全等</translation>
+        <source>device changed</source>
+        <translation>设备有变化</translation>
     </message>
     <message>
         <source>O1 and O2 refer to the theodolite: compare them only between set-ups on the same pillar.</source>
@@ -6669,8 +6669,8 @@ Includes every catalogued effect, limited by these readings or by its plausible 
         <translation>Δd 变化</translation>
     </message>
     <message>
-        <source>Device: T of m</source>
-        <translation>设备：T（共 m 个量）</translation>
+        <source>Device: T (m)</source>
+        <translation>设备：T（m）</translation>
     </message>
     <message>
         <source>Each session is compared with the next, and the first with the last. Δd, measured, has its expanded uncertainty; effects common to both sessions cancel. Device: d holds the m changes of (O1 − O2)/2 and of the radii, from the readings alone; T = dᵀC⁻¹d with the full covariance C of both fits.</source>
@@ -6919,7 +6919,7 @@ Includes every catalogued effect, limited by these readings or by its plausible 
     </message>
     <message>
         <source>What</source>
-        <translation>内容</translation>
+        <translation>条目</translation>
     </message>
     <message>
         <source>Why</source>
@@ -7447,7 +7447,7 @@ Includes every catalogued effect, limited by these readings or by its plausible 
         <translation>± EWMA 限值</translation>
     </message>
     <message>
-        <source>Each ± is an %1, from the readings alone except for Δd, measured.</source>
+        <source>Each ± is an %1. All but “Δd, measured” follow from the readings alone.</source>
         <translation>各 ± 均为%1；除实测 Δd 外，均仅由读数得出。</translation>
     </message>
     <message>
@@ -7749,7 +7749,7 @@ Includes every catalogued effect, limited by these readings or by its plausible 
         <translation>没有结果而略去的抽样：%1。</translation>
     </message>
     <message>
-        <source>The offset Δz of the arc&apos;s centre from the axis, across the plane of the arc, was not measured.</source>
+        <source>The offset Δz of the arc&apos;s centre from the axis, perpendicular to the plane of the arc, was not measured.</source>
         <translation>圆心相对回转轴在垂直于圆弧平面方向上的偏移量 Δz 未经测量。</translation>
     </message>
     <message>
@@ -7761,12 +7761,12 @@ Includes every catalogued effect, limited by these readings or by its plausible 
         <translation>据%1，%2为 %3；这些读数给出 %4：该已知值已过时的概率为 %5。</translation>
     </message>
     <message>
-        <source>Measure with instrument %1 in %2 more sessions: %3 would then show by %4 σ.</source>
-        <translation>再用仪器 %1 测量：%3将达到 %4 σ（还需测量记录：%2 份）。</translation>
+        <source>Measure with instrument %1 in %2 more sessions: %3 would then be detectable at %4 σ.</source>
+        <translation>再用仪器 %1 测量，还需 %2 份测量记录：届时能以 %4 σ 的程度显示%3。</translation>
     </message>
     <message>
-        <source>Measure guideway %1 in %2 more sessions: %3 would then show by %4 σ.</source>
-        <translation>再次测量导轨 %1：%3将达到 %4 σ（还需测量记录：%2 份）。</translation>
+        <source>Measure guideway %1 in %2 more sessions: %3 would then be detectable at %4 σ.</source>
+        <translation>再次测量导轨 %1，还需 %2 份测量记录：届时能以 %4 σ 的程度显示%3。</translation>
     </message>
     <message>
         <source>The compensator&apos;s tilts in the two faces contradict each other by %1″; they are not used.</source>
@@ -7777,7 +7777,7 @@ Includes every catalogued effect, limited by these readings or by its plausible 
         <translation>%1：读取该轴位期间，瞄准零位水平移动 %2，竖直移动 %3（1σ）；U 按零位离散为给定值的 %4 倍计算。</translation>
     </message>
     <message>
-        <source>The tolerance applies to the whole distance from the axis, and its part across the plane of the arc was not measured: read both positions over more of the arc, or state the known plane offset of the device. %1</source>
+        <source>The tolerance applies to the whole distance from the axis, and its part perpendicular to the plane of the arc was not measured: read both positions over more of the arc, or state the known plane offset of the device. %1</source>
         <translation>允差针对到回转轴的整个距离，而圆心在垂直于圆弧平面方向上的偏离未经测量：请在更长的弧段上读取两个轴位，或给出设备的平面偏移已知值。%1</translation>
     </message>
     <message>
@@ -7957,7 +7957,7 @@ Includes every catalogued effect, limited by these readings or by its plausible 
         <translation>原因</translation>
     </message>
     <message>
-        <source>Owner</source>
+        <source>Belongs to</source>
         <translation>所属</translation>
     </message>
     <message>
@@ -8775,7 +8775,7 @@ a clause as a sentence</extracomment>
         <translation>灰色：允差 ± %1 mm 时圆心可在的范围。</translation>
     </message>
     <message>
-        <source>Δx leads from O2 to the cross, where O2 would be if the positions closed; without a cross, they close.</source>
+        <source>Δx leads from O2 to the cross, where O2 would be if the positions agreed; without a cross, they agree.</source>
         <translation>Δx 由 O2 指向十字，即各轴位闭合时 O2 应在之处；没有十字则已闭合。</translation>
     </message>
     <message>
@@ -8990,7 +8990,7 @@ a clause as a sentence</extracomment>
         <translation>方法</translation>
     </message>
     <message>
-        <source>Intersection Δd = (y(O1) − y(O2))/2: half the difference of the heights of the arc centres at 0° (O1) and at 180° (O2), y up; positive where the centre is the higher one at 0°.</source>
+        <source>Intersection Δd = (y(O1) − y(O2))/2: half the difference of the heights of the arc centres at 0° (O1) and at 180° (O2), y up; positive if the centre is higher at 0°.</source>
         <translation>相交度 Δd = (y(O1) − y(O2))/2：0°（O1）和 180°（O2）两圆心高度之差的一半，y 向上；0° 时圆心较高则为正。</translation>
     </message>
     <message>
@@ -9221,7 +9221,7 @@ a clause as a sentence</extracomment>
     </message>
     <message>
         <source>known sizes in Δd, measured: %1</source>
-        <translation>实测 Δd 采用的已知量值：%1</translation>
+        <translation>实测 Δd 采用的已知值：%1</translation>
     </message>
     <message>
         <source>The curve is the form. Hollow marks are the value that each sighting gives for the form, with everything else in the model.</source>
@@ -9864,11 +9864,11 @@ a clause as a sentence</extracomment>
         <translation>任意误差，或无误差</translation>
     </message>
     <message>
-        <source>clearly, by 6 to 25 σ</source>
+        <source>clearly, at 6 to 25 σ</source>
         <translation>明显，6 至 25 σ</translation>
     </message>
     <message>
-        <source>faintly, by 2 to 6 σ</source>
+        <source>faintly, at 2 to 6 σ</source>
         <translation>微弱，2 至 6 σ</translation>
     </message>
     <message>
@@ -10505,7 +10505,7 @@ a clause as a sentence</extracomment>
     </message>
     <message>
         <source>Known Size…</source>
-        <translation>已知量值…</translation>
+        <translation>已知值…</translation>
     </message>
     <message>
         <source>Type the size of the effect from a certificate or a check</source>
@@ -11856,7 +11856,7 @@ a clause as a sentence</extracomment>
     </message>
     <message>
         <source>Taken from “%1”, known sizes: %2</source>
-        <translation>已取自“%1”，已知量值：%2</translation>
+        <translation>已取自“%1”，已知值：%2</translation>
     </message>
     <message>
         <source>Save as instrument record</source>
@@ -11949,7 +11949,7 @@ a clause as a sentence</extracomment>
     </message>
     <message>
         <source>What</source>
-        <translation>内容</translation>
+        <translation>条目</translation>
     </message>
     <message>
         <source>Name of the entry at that time</source>
@@ -12048,7 +12048,7 @@ a clause as a sentence</extracomment>
     </message>
     <message>
         <source>Known size, in the unit of the default; empty: 0</source>
-        <translation>已知的值，单位与默认值相同；空：0</translation>
+        <translation>已知值，单位与默认值相同；空：0</translation>
     </message>
     <message>
         <source>Standard uncertainty of the known size, in the unit of the default; empty: the default</source>
@@ -12091,7 +12091,7 @@ a clause as a sentence</extracomment>
     </message>
     <message>
         <source>Name, serial number, σ of the circles and known sizes from a file</source>
-        <translation>来自文件的名称、序列号、度盘的 σ 和已知量值</translation>
+        <translation>来自文件的名称、序列号、度盘的 σ 和已知值</translation>
     </message>
     <message>
         <source>Save as Instrument Record…</source>
@@ -12106,7 +12106,7 @@ a clause as a sentence</extracomment>
     <name>alidade::ui::KnownSizesTable</name>
     <message>
         <source>Known sizes of effects</source>
-        <translation>各效应的已知量值</translation>
+        <translation>各效应的已知值</translation>
     </message>
     <message>
         <source>Paste known sizes</source>
@@ -12121,7 +12121,7 @@ a clause as a sentence</extracomment>
     <name>alidade::ui::LeftoverStrips</name>
     <message>
         <source>Leftover along s, e and t</source>
-        <translation>沿 s、e 和 t 的剩余</translation>
+        <translation>沿 s、e 和 t 的剩余残差</translation>
     </message>
     <message>
         <source>%1 residuals of at most %2 σ</source>
@@ -12211,7 +12211,7 @@ a clause as a sentence</extracomment>
     </message>
     <message>
         <source>Known Sizes</source>
-        <translation>已知量值</translation>
+        <translation>已知值</translation>
     </message>
     <message>
         <source>Journal</source>
@@ -12950,7 +12950,7 @@ a clause as a sentence</extracomment>
     </message>
     <message>
         <source>The session follows no protocol.</source>
-        <translation>本次测量未按方案。</translation>
+        <translation>本次测量未采用方案。</translation>
     </message>
     <message>
         <source>protocol</source>
@@ -13534,7 +13534,7 @@ a clause as a sentence</extracomment>
         <translation>不包含</translation>
     </message>
     <message>
-        <source>A laboratory&apos;s report states these entries, which the session lacks: %1. The report names them as “not stated”; fill them in on the forms of the window.</source>
+        <source>The session lacks entries that a laboratory&apos;s report should state: %1. The report marks them “not stated”; fill them in on the forms of the window.</source>
         <translation>测量记录缺少实验室报告应说明的内容：%1。报告将其标为“未说明”；可在窗口的表单中填写。</translation>
     </message>
     <message>
@@ -14660,8 +14660,8 @@ a clause as a sentence</extracomment>
         <translation>尚无文件</translation>
     </message>
     <message>
-        <source>&amp;Forget These</source>
-        <translation>清除此列表(&amp;F)</translation>
+        <source>&amp;Clear This List</source>
+        <translation>清除此列表(&amp;C)</translation>
     </message>
     <message>
         <source>&amp;Edit</source>

@@ -28,7 +28,8 @@ struct NamedBlock {
   QString problem;                     ///< why the block is unusable; else empty
 };
 
-/// The block as a table whose first rows name its columns; absent if the first row names no columns.
+/// The block as a table whose first rows name its columns. Absent if the first row names no columns, or if no
+/// row follows.
 std::optional<Result<JoinedTable>> joinedBlock(const ReadingBlock& block);
 
 /// Absent if the first row names no columns of readings (`areColumnNames`), or if no row follows.

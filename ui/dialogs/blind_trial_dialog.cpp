@@ -64,8 +64,8 @@ QWidget* BlindTrialDialog::createChoices() {
   m_kind->addItem(tr("any error, or none"), QString());
   for (const TrialKind& kind : trialKinds()) m_kind->addItem(trialKindName(kind.name), qText(kind.name));
   m_visible = new QComboBox;
-  m_visible->addItem(tr("clearly, by 6 to 25 σ"), QPointF(6, 25));
-  m_visible->addItem(tr("faintly, by 2 to 6 σ"), QPointF(2, 6));
+  m_visible->addItem(tr("clearly, at 6 to 25 σ"), QPointF(6, 25));
+  m_visible->addItem(tr("faintly, at 2 to 6 σ"), QPointF(2, 6));
   m_seed = new QSpinBox;
   m_seed->setRange(1, 999999);
   m_seed->setValue(QRandomGenerator::global()->bounded(1, 900000));

@@ -34,7 +34,8 @@ void Busy::showDialog() {
   m_dialog->show();
 }
 
-/// Input waits until the dialog opens; the modal dialog then accepts only its own input.
+/// Input waits until the work ends, or until the dialog of a stoppable operation opens. The dialog is modal,
+/// so it blocks all other input.
 bool Busy::waitFor(const QFuture<void>& work) {
   QFutureWatcher<void> watcher;
   QEventLoop loop;

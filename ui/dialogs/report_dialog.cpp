@@ -89,8 +89,8 @@ QWidget* ReportDialog::createLacks() {
         warning((m_question.isCertificate
                      ? tr("ISO/IEC 17025 requires entries that the session lacks: %1. Fill them in on the "
                           "forms of the window; without them only a draft can be made.")
-                     : tr("A laboratory's report states these entries, which the session lacks: %1. The "
-                          "report names them as “not stated”; fill them in on the forms of the window."))
+                     : tr("The session lacks entries that a laboratory's report should state: %1. The report "
+                          "marks them “not stated”; fill them in on the forms of the window."))
                     .arg(fields)));
   }
   return lacks;

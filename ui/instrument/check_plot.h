@@ -38,7 +38,7 @@ class CheckPlot : public Plot {
 
  private:
   enum class Kind { Collimation, Index, Orientation, Direction, Zenith };
-  /// One point with its origin.
+  /// One point, with the station, round and target that it shows.
   struct Point {
     double x, y;
     Kind kind;

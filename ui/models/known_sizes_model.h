@@ -37,8 +37,8 @@ class KnownSizesModel : public QAbstractTableModel {
 
   /// True if a text in the table is unusable.
   bool hasProblem() const;
-  /// The cell of an entry; if the entry no longer exists, the cell in the row that changed last. Invalid if
-  /// no row has changed.
+  /// The cell of an entry. If the entry no longer exists: the cell in the row that changed last, or invalid
+  /// if no row has changed.
   QModelIndex cellOf(const KnownPlace& place) const;
   /// The cell of the first parameter of a catalogued effect; invalid if there is none.
   QModelIndex cellOf(const std::string& effect) const;

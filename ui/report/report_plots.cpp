@@ -33,8 +33,8 @@ QStringList insetSentences(const DrawnIntersection& intersection) {
     sentences.append(Report::tr("Grey: permitted places of the centres, tolerance ± %1 mm.")
                          .arg(plainNumberText(*intersection.tolerance)));
   sentences.append(
-      Report::tr("Δx leads from O2 to the cross, where O2 would be if the positions closed; without a cross, "
-                 "they close."));
+      Report::tr("Δx leads from O2 to the cross, where O2 would be if the positions agreed; without a cross, "
+                 "they agree."));
   return sentences;
 }
 

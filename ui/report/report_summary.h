@@ -6,7 +6,8 @@
 
 namespace alidade::ui {
 
-/// Parts for which the front page may lack room. True: the front page has the part, or the part is left out.
+/// Parts for which the front page may lack room. True: no later page needs the part, since it is on the front
+/// page or left out of the report.
 struct FrontPage {
   bool hasMethod = false, isSigned = false;
 };

@@ -31,7 +31,7 @@ bool isOfDistance(const Gap& gap) {
 QString measurandText(const Gap& gap) {
   QStringList sentences{
       Report::tr("Intersection Δd = (y(O1) − y(O2))/2: half the difference of the heights of the arc centres "
-                 "at 0° (O1) and at 180° (O2), y up; positive where the centre is the higher one at 0°.")};
+                 "at 0° (O1) and at 180° (O2), y up; positive if the centre is higher at 0°.")};
   if (isOfDistance(gap))
     sentences.append(
         Report::tr("The tolerance applies to the distance d = √(Δd² + Δz²) of the centre from the axis, with "

@@ -19,7 +19,7 @@ QString capitalised(QString text);
 
 /// The figure with its unit: "12″", "0.05 mm". ″ and ° follow without a blank; `unit` is from `unitText`.
 QString withUnit(const QString& figure, const QString& unit);
-/// The value with two digits of u: "−0.298 mm (u 0.009)". The sign ± is reserved for U.
+/// The value with two digits of u: "−0.298 mm (u 0.012)". The sign ± is reserved for U.
 QString withStandardUncertainty(double value, double u, const QString& unit);
 
 /// The displayed unit: "″" for "arcsec", "°" for "deg", empty for a bare number.

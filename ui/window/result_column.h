@@ -21,7 +21,7 @@ class ResultColumn : public QObject {
   QWidget* widget() const { return m_widget; }
   /// The tabs beside the picture and below it.
   QList<PageTabs*> tabs() const { return {m_beside, m_below}; }
-  /// The tab of a page by its id, with its index.
+  /// The tabs that contain the page with this id, and the index of the page in them.
   std::pair<PageTabs*, int> tab(std::string_view id) const;
   template <typename Panel>
   Panel* panel() const {

@@ -114,7 +114,7 @@ Information<double> atEnd(const Information<double>& all, const Information<doub
   return {moved(&I::one), moved(&I::x), moved(&I::y), moved(&I::xx), moved(&I::xy), moved(&I::yy)};
 }
 
-/// Corrects the step of `progress`. The step was computed from `all` and overshoots by the square of its
+/// Corrects the step of `progress`, which was computed from `all`; its error grows with the square of its
 /// length. The gradients of the part, `before` and `after` the step, show what the second derivatives omit.
 void mend(Progress<double>& progress, const CloseSums<double>& all, const CloseSums<double>& before,
           const CloseSums<double>& after) {

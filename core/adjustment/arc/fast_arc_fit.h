@@ -32,7 +32,8 @@ namespace alidade {
 // determine a circle, and slow convergence. The general fit takes these over.
 //
 // If there are many places, a part of them is fitted first. One step from the part's circle then uses all
-// places. It overshoots by the square of its length; the same step of the part alone shows by how much.
+// places. The error of this step grows with the square of its length; the gradients of the part before and
+// after the step correct it.
 //
 // Four places, or four fits, are processed together by vector units if the processor has them. The order of
 // summation is the same for every processor and number of threads.

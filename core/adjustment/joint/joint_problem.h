@@ -148,7 +148,7 @@ class JointProblem {
   std::vector<double> m_consideredSigmas;
   std::vector<VisitOfArc> m_visits;
   std::vector<std::array<Eigen::Index, mostSlots>>
-      m_slotMaps;  ///< for each arc: the unknown of a slot, −1 for none
+      m_slotMaps;  ///< for each arc: index of each slot's unknown, −1: none
 };
 
 }  // namespace alidade

@@ -104,13 +104,14 @@ std::vector<Recipe> makeRecipes() {
                 Of::Circle,
                 {}},
                {2, 3, 4, 5, 6, 8, 12, 16, 24});
-  add(PHRASE_LATER("Phrase", "horizontal readings with azimuth"), Horizontal, Of::Azimuth, Course::Smooth,
+  add(PHRASE_LATER("Phrase", "horizontal readings varying with azimuth"), Horizontal, Of::Azimuth,
+      Course::Smooth, waves);
+  add(PHRASE_LATER("Phrase", "vertical readings varying with elevation"), Vertical, Of::Elevation,
+      Course::Smooth, waves);
+  add(PHRASE_LATER("Phrase", "horizontal readings varying with elevation"), Horizontal, Of::Elevation,
+      Course::Smooth, waves);
+  add(PHRASE_LATER("Phrase", "vertical readings varying with azimuth"), Vertical, Of::Azimuth, Course::Smooth,
       waves);
-  add(PHRASE_LATER("Phrase", "vertical readings with elevation"), Vertical, Of::Elevation, Course::Smooth,
-      waves);
-  add(PHRASE_LATER("Phrase", "horizontal readings with elevation"), Horizontal, Of::Elevation, Course::Smooth,
-      waves);
-  add(PHRASE_LATER("Phrase", "vertical readings with azimuth"), Vertical, Of::Azimuth, Course::Smooth, waves);
   add(PHRASE_LATER("Phrase", "difference of the faces, horizontal"), HorizontalFaces, Of::Elevation,
       Course::Smooth, waves);
   add(PHRASE_LATER("Phrase", "difference of the faces, vertical"), VerticalFaces, Of::Elevation,
@@ -119,10 +120,11 @@ std::vector<Recipe> makeRecipes() {
   add(PHRASE_LATER("Phrase", "vertical readings on the way back"), Vertical, Of::Leg, Course::WayBack);
   source = ErrorSource::Time;
   add(PHRASE_LATER("Phrase", "orientation settling with time"), Both, Of::Time, Course::Settling);
-  add(PHRASE_LATER("Phrase", "horizontal orientation with time"), Horizontal, Of::Time, Course::Smooth,
+  add(PHRASE_LATER("Phrase", "horizontal orientation varying with time"), Horizontal, Of::Time,
+      Course::Smooth, waves);
+  add(PHRASE_LATER("Phrase", "vertical orientation varying with time"), Vertical, Of::Time, Course::Smooth,
       waves);
-  add(PHRASE_LATER("Phrase", "vertical orientation with time"), Vertical, Of::Time, Course::Smooth, waves);
-  add(PHRASE_LATER("Phrase", "distance with time"), Distance, Of::Time, Course::Smooth, fewWaves);
+  add(PHRASE_LATER("Phrase", "distance varying with time"), Distance, Of::Time, Course::Smooth, fewWaves);
   return list;
 }
 

@@ -303,9 +303,9 @@ std::vector<ShapeComponent> shapeComponents(const Leftover& leftover, const Meas
                   place);
   maker.startSource(ErrorSource::Time);
   const CellFunctions waves = smooth(all.elapsed, wavesOf(all.rows->count()));
-  maker.addOrientations({PHRASE_LATER("Phrase", "horizontal orientation with time"),
-                         PHRASE_LATER("Phrase", "vertical orientation with time"),
-                         PHRASE_LATER("Phrase", "orientation with time")},
+  maker.addOrientations({PHRASE_LATER("Phrase", "horizontal orientation varying with time"),
+                         PHRASE_LATER("Phrase", "vertical orientation varying with time"),
+                         PHRASE_LATER("Phrase", "orientation varying with time")},
                         horizontal, vertical, waves);
   maker.addOrientation(PHRASE_LATER("Phrase", "orientation settling with time"), horizontal, vertical,
                        settling(all.elapsed));
@@ -313,16 +313,16 @@ std::vector<ShapeComponent> shapeComponents(const Leftover& leftover, const Meas
   for (Index wave = 0; wave < std::min<Index>(4, waves.count()); ++wave) slowest.push_back(wave);
   // A change of distance has the same sign in both positions; a plane offset changes its sign.
   const auto isTurned = [&](Index i) { return all.arcOf(i).axisDeg != 0; };
-  maker.add(PHRASE_LATER("Phrase", "distance with time"),
+  maker.add(PHRASE_LATER("Phrase", "distance varying with time"),
             all.ofInstrument(leftover.column(ErrorTerm::PlaneOffset), isTurned), waves.chosen(slowest));
   maker.startSource(ErrorSource::Guideway);
   maker.add(PHRASE_LATER("Phrase", "slider readings along the scale"), slider, smooth(toUnit(all.s), 6));
   maker.startSource(ErrorSource::Instrument);
   const CellFunctions alongAzimuth = smooth(toUnit(all.a), 6), alongElevation = smooth(toUnit(all.e), 6);
-  maker.add(PHRASE_LATER("Phrase", "horizontal readings with azimuth"), horizontal, alongAzimuth);
-  maker.add(PHRASE_LATER("Phrase", "vertical readings with elevation"), vertical, alongElevation);
-  maker.add(PHRASE_LATER("Phrase", "horizontal readings with elevation"), horizontal, alongElevation);
-  maker.add(PHRASE_LATER("Phrase", "vertical readings with azimuth"), vertical, alongAzimuth);
+  maker.add(PHRASE_LATER("Phrase", "horizontal readings varying with azimuth"), horizontal, alongAzimuth);
+  maker.add(PHRASE_LATER("Phrase", "vertical readings varying with elevation"), vertical, alongElevation);
+  maker.add(PHRASE_LATER("Phrase", "horizontal readings varying with elevation"), horizontal, alongElevation);
+  maker.add(PHRASE_LATER("Phrase", "vertical readings varying with azimuth"), vertical, alongAzimuth);
   const auto isFace2 = [&](Index i) { return all.rowOf(i).face != 1; };
   maker.add(PHRASE_LATER("Phrase", "difference of the faces, horizontal"),
             all.ofInstrument(ofHorizontal, isFace2), alongElevation);

@@ -25,7 +25,8 @@ struct Answer {
   /// The causes that are certain in addition to the pattern (Unknown) or to the effects (Several).
   Explanation explanation;
   std::vector<std::vector<Rival>> rivals;  ///< rivals of each part of the explanation
-  std::optional<Part> pattern;             ///< with Unknown: the likeliest pattern; absent if none fits
+  std::optional<Part> pattern;             ///< with Unknown: the likeliest pattern; absent if the readings
+                                           ///< do not determine the model of the answer
   GapModel after;                          ///< the model with the explanation and, with Several, every effect
   /// The model whose Δd is reported: `after`, or the session's own model if the explanation contains only
   /// gross errors and larger noise.

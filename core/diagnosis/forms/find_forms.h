@@ -13,12 +13,12 @@ namespace alidade {
 struct FormThresholds {
   /// All forms together against no form: none is named in 600 simulated sessions without an effect.
   double odds = 20;
-  /// Another form is sought if noise alone leaves as much in fewer sessions than this share: of forms that
-  /// leave noise alone, the fewest are reported.
+  /// Another form is sought if the p-value of the leftover against noise alone is below this limit: no more
+  /// forms are reported than are needed to leave only noise.
   double noiseAlone = 0.2;
   std::size_t mostForms = 3;  ///< the readings of a session hardly determine more
-  /// A form that leaves noise alone may be less likely than the patterns by these odds: some of the patterns
-  /// resemble the form.
+  /// A form that leaves only noise is reported even if the patterns are likelier by up to these odds: some
+  /// patterns resemble the form.
   double nearlyAsLikely = 20;
   double ofPatterns = 0.05;      ///< prior of all patterns against a form: they serve gaps without a form
   std::size_t mostPatterns = 4;  ///< the others add less than these to the sum

@@ -37,7 +37,7 @@ class VisibleTermsOfSet {
   std::vector<ErrorTerm> m_terms;
   std::vector<JumpMoment> m_moments;
   std::vector<Prior> m_priors;  ///< priors of the uncertain unknowns, common to all pieces
-  Eigen::MatrixXd m_gram;       ///< Gram matrix of uncertain unknowns, terms and jumps, without arc angles
+  Eigen::MatrixXd m_gram;       ///< Gram matrix of uncertain unknowns, terms and jumps, arc angles eliminated
 };
 
 /// Computes the visible terms of a set in one piece.

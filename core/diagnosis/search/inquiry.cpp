@@ -114,7 +114,7 @@ Linearised withReference(Linearised equations, const GapModel& base, const Diagn
 /// Returns the most likely causes without patterns, if one of them is very large. The equations were then
 /// linearised far from the solution, at a fit without these causes.
 std::optional<Explanation> largeCauses(const Inquiry& inquiry) {
-  constexpr double large = 100;  // σ over all readings
+  constexpr double large = 100;  // length of the trace, σ
   Explanation causes = inquiry.explanations.front();
   std::erase_if(causes.parts, [&](const Part& part) { return inquiry.of(part).isShape(); });
   const auto isLarge = [&](const Part& part) {

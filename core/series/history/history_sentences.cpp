@@ -248,9 +248,9 @@ std::vector<std::string> congruenceSentences(const std::vector<Epoch>& epochs, c
   std::vector<std::string> sentences;
   sentences.push_back(
       congruence.hasChanged
-          ? Phrase::of("Δd has changed from %1 to %2: by %3, %4.", first, second, difference,
+          ? Phrase::of("Δd has changed between %1 and %2 by %3, %4.", first, second, difference,
                        chanceText(congruence.chance))
-          : Phrase::of("No change of Δd is detectable from %1 to %2: the difference is %3, %4.", first,
+          : Phrase::of("No change of Δd is detectable between %1 and %2: the difference is %3, %4.", first,
                        second, difference, chanceText(congruence.chance)));
   const auto addTest = [&](const CongruenceTest& test, const std::string& agree, const std::string& differ) {
     sentences.push_back(Phrase::of("%1 (T = %2 from %3 quantities, %4)",
@@ -260,8 +260,8 @@ std::vector<std::string> congruenceSentences(const std::vector<Epoch>& epochs, c
   if (congruence.device)
     addTest(
         *congruence.device,
-        Phrase::of("By the readings alone the device is congruent: (O1 − O2)/2 and the radii agree."),
-        Phrase::of("By the readings alone the device is not congruent: (O1 − O2)/2 or the radii differ."));
+        Phrase::of("From the readings alone, the device shows no change: (O1 − O2)/2 and the radii agree."),
+        Phrase::of("From the readings alone, the device has changed: (O1 − O2)/2 or the radii differ."));
   if (congruence.setUp)
     addTest(
         *congruence.setUp, Phrase::of("O1 and O2 have not moved relative to the theodolite."),

@@ -68,7 +68,7 @@ std::string nameOf(const std::string& typedName, const std::string& typedSerial,
 
 std::string changeText(const Congruence& congruence) {
   if (congruence.hasChanged) return Phrase::of("changed");
-  return congruence.device && congruence.device->chance < leastChance ? Phrase::of("not congruent") : "";
+  return congruence.device && congruence.device->chance < leastChance ? Phrase::of("device changed") : "";
 }
 
 /// The O1 and O2 of sessions on different pillars cannot be compared.
@@ -129,19 +129,20 @@ Statement sessionTable(const DeviceHistory& device) {
 }
 
 Statement quantityTable(const DeviceHistory& device) {
-  Statement statement{.id = "quantities",
-                      .title = Phrase::of("Quantities"),
-                      .columns = {{"quantity", Phrase::of("Quantity"), Role::Name},
-                                  {"values", Phrase::of("Values")},
-                                  {"mean", Phrase::of("Weighted mean")},
-                                  {"chi_square", "χ²"},
-                                  {"p", "p"},
-                                  {"trend", Phrase::of("Trend")},
-                                  {"course", Phrase::of("Course"), Role::Word}},
-                      .rows = {},
-                      .sentences = {pillarSentence()},
-                      .note = Phrase::of("Each ± is an %1, from the readings alone except for Δd, measured.",
-                                         plusMinusText(device.quantities.front().history))};
+  Statement statement{
+      .id = "quantities",
+      .title = Phrase::of("Quantities"),
+      .columns = {{"quantity", Phrase::of("Quantity"), Role::Name},
+                  {"values", Phrase::of("Values")},
+                  {"mean", Phrase::of("Weighted mean")},
+                  {"chi_square", "χ²"},
+                  {"p", "p"},
+                  {"trend", Phrase::of("Trend")},
+                  {"course", Phrase::of("Course"), Role::Word}},
+      .rows = {},
+      .sentences = {pillarSentence()},
+      .note = Phrase::of("Each ± is an %1. All but “Δd, measured” follow from the readings alone.",
+                         plusMinusText(device.quantities.front().history))};
   for (const QuantityHistory& quantity : device.quantities) {
     const History& history = quantity.history;
     const HistoryNumbers numbers(history, quantity.unit);
@@ -164,7 +165,7 @@ Statement congruenceTable(const DeviceHistory& device) {
                   {"to", Phrase::of("To"), Role::Word},
                   {"difference", Phrase::of("Δd changes by")},
                   {"p", "p"},
-                  {"device", Phrase::of("Device: T of m")},
+                  {"device", Phrase::of("Device: T (m)")},
                   {"p_device", "p"},
                   {"change", "", Role::Word}},
       .rows = {},
@@ -181,7 +182,7 @@ Statement congruenceTable(const DeviceHistory& device) {
           visibleText(device.epochs[congruence.second].date),
           lengthWithUncertainty(congruence.difference, congruence.expanded, decimalsFor(congruence.expanded)),
           chanceCell(congruence.chance),
-          test ? Phrase::of("%1 of %2", displayText(test->statistic, 1), test->ids.size()) : "—",
+          test ? Phrase::of("%1 (%2)", displayText(test->statistic, 1), test->ids.size()) : "—",
           test ? chanceCell(test->chance) : "—", changeText(congruence)}});
   }
   if (statement.rows.empty()) statement.note.clear();

@@ -49,8 +49,8 @@ struct HalfDifference {
 struct FaceCauses {
   std::optional<PairMean> collimation;         ///< of the fit of the stated causes; absent if none is stated
   std::optional<TwoCauses> tilt, lineOfSight;  ///< absent: not stated
-  /// The plausible size of the cause divided by its standard uncertainty; NaN if the cause was not sought or
-  /// cannot be fitted.
+  /// The plausible size of the cause divided by its standard uncertainty. NaN if the cause was not sought,
+  /// cannot be fitted or is stated together with the other cause.
   double tiltShows = std::numeric_limits<double>::quiet_NaN();
   double offsetShows = std::numeric_limits<double>::quiet_NaN();
   /// Tilt and offset are inseparable here: the cause smaller relative to its plausible size is stated.

@@ -30,6 +30,7 @@ double sharpness(const FormInSession& found) {
 }
 
 /// `first` and the forms that agree with `first`, at most one from each other session of the same owner.
+/// Empty if the form is free or its owner has no serial number.
 std::vector<FormInSession> groupOf(const FormInSession& first, const std::vector<FormInSession>& all,
                                    const std::vector<SeriesMember>& members) {
   const Form& form = first.form->form;

@@ -262,7 +262,7 @@ SharedSet SharedSearch::madeOf(const std::vector<EffectBlock>& blocks,
     SharedSet set = fitted(blocks, own);
     set.logPosteriorOdds += oddsOfExplanations(set);
     std::vector<std::size_t> next = likeliestExplanations(set, true);
-    // If two sets are equal, the later one counts: its explanations are those that the earlier one prefers.
+    // At equal odds the later set counts: its explanations are the likeliest according to the earlier set.
     if (round == 0 || set.logPosteriorOdds > best.logPosteriorOdds - rounding) best = std::move(set);
     if (next == own || m_stop.stop_requested()) break;
     own = std::move(next);

@@ -148,7 +148,7 @@ TEST(Diagnosis, SeesNoiseThatIsLargerThanStated) {
 
 // The paper's own gap: its readings follow the exact relation, but are evaluated with the published one. The
 // diagnosis must find that relation. It must also find the gap of the exact fit of the table: a residual rms
-// of 8.87″, seven times the stated scatter. The positions do not close. R differs by 1.96 mm, which a plane
+// of 8.87″, seven times the stated scatter. The positions do not agree. R differs by 1.96 mm, which a plane
 // offset of −5.9 mm or a change of radius would explain; Δx differs by −0.65 mm. The cause of the latter is
 // unknown, and Δd depends on it: U is four times that of the fit.
 TEST(Diagnosis, FindsTheGapOfThePaper) {

@@ -204,7 +204,8 @@ TEST(Import, AveragesThePointingZeroOverTheFaces) {
   const PointingZero& zero = import.session.positions.at(0).zero;
   EXPECT_EQ(zero.horizontal, "332°32'52.00\"");
   EXPECT_EQ(zero.vertical, "89°59'56.00\"");
-  EXPECT_THAT(import.remarks, Contains("the pointing zero at 0° is the face 1 mean of lines 1, 3"));
+  EXPECT_THAT(import.remarks,
+              Contains("the pointing zero at 0° is the mean of lines 1, 3, converted to face 1"));
   EXPECT_EQ(import.rows, 1u);
 }
 

@@ -192,7 +192,7 @@ TEST(M5Reader, NamesLinesThatCannotBeRead) {
       HasSubstr("error of the instrument"));
   EXPECT_THAT(problem(sighting("1", "1", "90", "DEG") + sighting("2", "1", "0", "DEG", "V3")),
               HasSubstr("line 2"));
-  EXPECT_THAT(problem("For M5|Adr\n"), HasSubstr("is no line such as"));
+  EXPECT_THAT(problem("For M5|Adr\n"), HasSubstr("does not have the form"));
 }
 
 TEST(M5Reader, CutsNothingShortOfItsBars) {

@@ -164,7 +164,7 @@ TEST(ClosuresStatement, StatesUAtTheCoverageAndTheSizeInSigma) {
   EXPECT_EQ(cellOf(closures, 0, "misclosure"), "1.96 ± 0.55 mm");
   EXPECT_EQ(cellOf(closures, 0, "sigmas"), "7.0 σ");
   EXPECT_TRUE(closures.rows[0].isNotable);
-  EXPECT_THAT(closures.sentences.front(), StartsWith("The positions do not close"));
+  EXPECT_THAT(closures.sentences.front(), StartsWith("The positions do not agree"));
 }
 
 TEST(RequiredStatement, WritesEachSizeWithItsUnitAndNeverCallsItNothing) {

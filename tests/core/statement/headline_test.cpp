@@ -284,7 +284,7 @@ TEST(Headline, IsTheDistanceWhereTheToleranceIsOfIt) {
   EXPECT_EQ(headline.nameAndFigure(), "d = 5.00 ± 0.50 mm");
   EXPECT_EQ(headline.tolerance, "tolerance 8 mm");
   EXPECT_EQ(headline.line(LineKind::Across),
-            "In the plane of the arc Δd = 3.00 ± 0.20 mm, across it Δz = 4.00 ± 0.60 mm");
+            "In the plane of the arc Δd = 3.00 ± 0.20 mm, perpendicular to it Δz = 4.00 ± 0.60 mm");
   EXPECT_DOUBLE_EQ(headline.scale->size, 5);
   EXPECT_EQ(headline.scale->name, "d ± U");
   gap.diagnosis->measured->distance.reset();

@@ -94,7 +94,7 @@ INSTANTIATE_TEST_SUITE_P(
     testing::Values(
         Faulty{"", "", "No line says what is displaced"}, Faulty{"w = 4°", "", "No line"},
         Faulty{"radial", "radial", "A line begins with what it displaces"},
-        Faulty{"radial = A*foo(s)", "foo", "is no function"},
+        Faulty{"radial = A*foo(s)", "foo", "is not a known function"},
         Faulty{"radial = A*bump(s, 83°)", ")", "takes three arguments"},
         Faulty{"radial = A*sin(s, s)", ",", "takes one argument"},
         Faulty{"radial = A*(s + 1", "(", "not closed"},

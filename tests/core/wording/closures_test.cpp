@@ -24,7 +24,7 @@ TEST(ClosuresInWords, NameThePositionMeasuredAgain) {
   Diagnosis diagnosis;
   diagnosis.closures = {{repeat}};
   EXPECT_THAT(misclosureSentence(diagnosis),
-              ::testing::StartsWith("The positions do not close: R(180° again) − R(180°)"));
+              ::testing::StartsWith("The positions do not agree: R(180° again) − R(180°)"));
 }
 
 TEST(ClosuresInWords, NameWhatFailsWithTheCausesInTheModel) {
@@ -33,7 +33,7 @@ TEST(ClosuresInWords, NameWhatFailsWithTheCausesInTheModel) {
   diagnosis.closures = {{failing, sound}, {sound}};
   EXPECT_EQ(misclosureSentence(diagnosis), "") << "the causes account for it";
   diagnosis.closures = {{failing}, {sound}};
-  EXPECT_THAT(misclosureSentence(diagnosis), ::testing::StartsWith("The positions do not close: R(180°)"));
+  EXPECT_THAT(misclosureSentence(diagnosis), ::testing::StartsWith("The positions do not agree: R(180°)"));
   EXPECT_THAT(misclosureSentence(diagnosis), ::testing::Not(::testing::HasSubstr("Δx")));
   diagnosis.closures = {{sound, failing}};
   EXPECT_NE(misclosureSentence(diagnosis), "") << "the causes open it";

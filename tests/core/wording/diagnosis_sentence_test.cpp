@@ -52,7 +52,7 @@ TEST(DiagnosisSentence, SaysThatThePositionsCloseWhereTheyDidNotBefore) {
     diagnosis.closures = {step, {.before = closed}};
     return sentenceOf(diagnosis);
   };
-  const char *closes = "the two positions close", *shrinks = "the residuals shrink from 2.9″ to 2.1″.";
+  const char *closes = "the two positions agree", *shrinks = "the residuals shrink from 2.9″ to 2.1″.";
   EXPECT_THAT(sentence(2.1, {.before = open, .after = closed}),
               EndsWith(std::string("With the cause in the model, ") + closes + ", and " + shrinks));
   EXPECT_THAT(sentence(2.9, {.before = open, .after = closed}),

@@ -106,14 +106,14 @@ TEST(VerdictSentence, NamesWhatItIsAbout) {
   diagnosis.measured->budget = {{.from = UncertaintyShare::From::Diagnosis, .sigma = 0.1}};
   measurement.measurand = Measurand::Distance;
   EXPECT_THAT(sentenceOf(measurement, fit, &diagnosis),
-              HasSubstr("its part across the plane of the arc was not measured"));
+              HasSubstr("its part perpendicular to the plane of the arc was not measured"));
   diagnosis.measured->across = MeasuredLength{-2, 0.1, 0.2};
   diagnosis.measured->distance = MeasuredLength{2.386, 0.1, 0.2};
   EXPECT_THAT(
       sentenceOf(measurement, fit, &diagnosis),
       HasSubstr(
           "The arc's centre is 2.39 mm ± 0.20 mm (95 % coverage) from the axis, all effects considered: "
-          "1.30 mm ± 0.20 mm in the plane of the arc (Δd), −2.00 mm ± 0.20 mm across it (Δz). The "
+          "1.30 mm ± 0.20 mm in the plane of the arc (Δd), −2.00 mm ± 0.20 mm perpendicular to it (Δz). The "
           "interval is within the tolerance of ± 2.6 mm."));
   measurement.measurand = Measurand::Intersection;
   EXPECT_THAT(sentenceOf(measurement, fit, &diagnosis),

@@ -110,7 +110,7 @@ TEST(AcceptanceReport, TellsTheGapAndItsCause) {
         QStringLiteral("measured — — ") + estimateText(diagnosis.measured->estimate)})
     EXPECT_TRUE(report.text().contains(text)) << text.toStdString() << report.text().toStdString();
   const QString paper = Printed(paperSession()).text().simplified();
-  EXPECT_TRUE(paper.contains(QStringLiteral("With the causes in the model, the two positions close.")))
+  EXPECT_TRUE(paper.contains(QStringLiteral("With the causes in the model, the two positions agree.")))
       << paper.toStdString();
   session.model.effects = {"gravity_sag"};
   EXPECT_TRUE(Printed(session).contains("in the model: gravity sag"));
@@ -440,7 +440,7 @@ TEST(AcceptanceReport, StatesTheMeasurandAndTheDecisionRuleWithItsRisk) {
   const QString both = front();
   for (const char* text :
        {"half the difference of the heights of the arc centres at 0° (O1) and at 180° (O2), y up; positive "
-        "where the centre is the higher one at 0°",
+        "if the centre is higher at 0°",
         "Accepted: |Δd| + U ≤ 2.5 mm; rejected: |Δd| − U > 2.5 mm; each measured and fit only. Otherwise, or "
         "if the gap has no known cause: undecided. Guard band w = U (coverage 95 %): a "
         "verdict is wrong with a probability of at most 2."})

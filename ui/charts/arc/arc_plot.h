@@ -24,7 +24,7 @@ class ArcPlot : public Plot {
   /// The headline of the same evaluation, for the inset and the view along the axis.
   void setHeadline(const Headline& headline);
   QString describe(const Mark& mark) const override;
-  /// In the inset, the warning that it shows only in part.
+  /// In the inset: the whole warning of the headline, if the inset shows only a part of it.
   QString tipAt(const QPointF& scene) const override;
   QString summary() const override;
   QString standard() const override;

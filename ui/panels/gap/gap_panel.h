@@ -65,7 +65,7 @@ class GapPanel : public ScrollPage {
   void showReference();
   void showCandidate();
   void addCandidate();
-  /// The ids of the ticked causes that are effects of the model or, if not `isOfModel`, are not.
+  /// The ids of the ticked causes: those in the model if `isOfModel`, else those not in the model.
   QStringList ticked(bool isOfModel) const;
   /// The ticked causes and their look-alikes, without those already in the model.
   QStringList tickedWithLookAlikes() const;

@@ -42,7 +42,7 @@ class Wanted {
 
  private:
   QString m_text;
-  std::string m_digits;  ///< digits of the number, to search in angles
+  std::string m_digits;  ///< digits of a typed number, for the search in angles; empty: no number
 };
 
 std::vector<const RowField*> textFields() {
