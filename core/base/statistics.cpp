@@ -1,11 +1,14 @@
 #include "core/base/statistics.h"
 
+#include <algorithm>
 #include <boost/math/distributions/chi_squared.hpp>
 #include <boost/math/distributions/fisher_f.hpp>
 #include <boost/math/distributions/normal.hpp>
 #include <boost/math/distributions/students_t.hpp>
 #include <cassert>
 #include <cmath>
+#include <cstddef>
+#include <numeric>
 
 namespace alidade {
 
@@ -81,6 +84,12 @@ double standardDeviation(double variance) {
 double normalQuantile(double probability) {
   assert(probability > 0 && probability < 1);
   return boost::math::quantile(boost::math::normal_distribution<double, QuietAndQuick>(), probability);
+}
+
+double medianOf(std::vector<double> values) {
+  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
+  std::ranges::nth_element(values, middle);
+  return values.size() % 2 == 1 ? *middle : std::midpoint(*middle, *std::max_element(values.begin(), middle));
 }
 
 }  // namespace alidade

@@ -2,6 +2,7 @@
 
 #include <limits>
 #include <optional>
+#include <vector>
 
 namespace alidade {
 
@@ -70,5 +71,8 @@ double standardDeviation(double variance);
 
 /// z with Φ(z) = `probability` in (0, 1).
 double normalQuantile(double probability);
+
+/// The median of at least one value; of an even number, the mean of the two in the middle.
+double medianOf(std::vector<double> values);
 
 }  // namespace alidade

@@ -25,13 +25,6 @@ namespace {
 constexpr double risk = 0.01;           // of naming anything in an error-free session, for each kind
 constexpr double madOfNormal = 0.6745;  // the median of |x| of a standard normal variable
 
-double medianOf(std::vector<double> values) {
-  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-  std::nth_element(values.begin(), middle, values.end());
-  if (values.size() % 2 == 1) return *middle;
-  return (*middle + *std::max_element(values.begin(), middle)) / 2;
-}
-
 /// A difference that should agree with the others, with its σ.
 struct Difference {
   std::vector<std::size_t> sightings;

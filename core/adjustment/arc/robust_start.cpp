@@ -6,6 +6,7 @@
 #include <optional>
 
 #include "core/adjustment/numerics/algebraic_circle.h"
+#include "core/base/statistics.h"
 #include "core/observation/half_turn.h"
 #include "core/observation/zero_line.h"
 
@@ -88,11 +89,6 @@ void markSliders(RobustStart& start, const ArcMeasurement& arc, const Points& po
     offsets.push_back(wrapped(*arc.sightings[i].slider - Angle::fromRadians(s)).radians());
   }
   if (rows.size() < fewestRows) return;
-  const auto medianOf = [](std::vector<double> values) {
-    const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-    std::nth_element(values.begin(), middle, values.end());
-    return *middle;
-  };
   const double zero = medianOf(offsets);
   std::vector<double> sizes;
   for (double& offset : offsets) {

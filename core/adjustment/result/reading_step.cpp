@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 
 namespace alidade {
 
@@ -21,19 +22,15 @@ std::optional<Angle> readingStep(const std::vector<Angle>& readings, Angle fines
     differences.push_back(wrapped(reading - readings.front()).arcseconds());
   const auto divides = [&](double step) {
     return std::ranges::all_of(differences, [&](double difference) {
-      return std::abs(std::remainder(difference, step)) < rounding;
+      return std::abs(difference - step * std::round(difference / step)) < rounding;
     });
   };
-  std::vector<double> distinct = differences;
-  std::sort(distinct.begin(), distinct.end());
-  const auto end =
-      std::unique(distinct.begin(), distinct.end(), [](double a, double b) { return b - a < rounding; });
-  if (static_cast<std::size_t>(end - distinct.begin()) < fewest) return std::nullopt;
-  for (const double step : usualSteps) {
-    if (step <= finest.arcseconds()) break;
-    if (divides(step)) return Angle::fromArcseconds(step);
-  }
-  return std::nullopt;
+  const double* const step = std::ranges::find_if(usualSteps, divides);
+  if (step == std::end(usualSteps) || *step <= finest.arcseconds()) return std::nullopt;
+  std::ranges::sort(differences);
+  const auto same = std::ranges::unique(differences, [](double a, double b) { return b - a < rounding; });
+  if (differences.size() - same.size() < fewest) return std::nullopt;
+  return Angle::fromArcseconds(*step);
 }
 
 Angle roundingSigma(Angle step) {

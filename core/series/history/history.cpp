@@ -35,12 +35,6 @@ double chiSquareAbout(const std::vector<DatedValue>& values, double mean) {
   return sum;
 }
 
-double medianOf(std::vector<double> numbers) {
-  const auto middle = numbers.begin() + static_cast<std::ptrdiff_t>(numbers.size() / 2);
-  std::ranges::nth_element(numbers, middle);
-  return *middle;
-}
-
 /// Numbers the dates of the values from 0; values of one day share a number.
 std::vector<std::size_t> dateNumbers(const std::vector<DatedValue>& values) {
   std::vector<std::size_t> numbers(values.size(), 0);

@@ -9,7 +9,8 @@ namespace alidade {
 
 namespace {
 
-bool haveOneInstrument(const InstrumentRecord& one, const InstrumentRecord& other) {
+/// Records without serial numbers are of one instrument if their names are equal.
+bool areOfOneInstrument(const InstrumentRecord& one, const InstrumentRecord& other) {
   return one.serial.empty() && other.serial.empty() ? one.name == other.name : one.serial == other.serial;
 }
 
@@ -43,7 +44,7 @@ InstrumentHistories instrumentHistories(const std::vector<KeptRecord>& records) 
       continue;
     }
     auto place = std::ranges::find_if(histories.instruments, [&](const InstrumentHistory& one) {
-      return haveOneInstrument(one.records.front().record, records[i].record);
+      return areOfOneInstrument(one.records.front().record, records[i].record);
     });
     if (place == histories.instruments.end())
       place = histories.instruments.insert(place, InstrumentHistory());

@@ -13,6 +13,7 @@
 #include "core/base/limits.h"
 #include "core/base/number_text.h"
 #include "core/base/phrase.h"
+#include "core/base/statistics.h"
 #include "core/base/visible_text.h"
 #include "core/exchange/csv_reader.h"
 #include "core/exchange/file_format.h"
@@ -71,9 +72,7 @@ double closureIn(AngleUnit unit, const Recording& recording) {
     before->second = degrees;
   }
   if (closures.empty()) return unreadable;
-  const auto middle = closures.begin() + static_cast<std::ptrdiff_t>(closures.size() / 2);
-  std::nth_element(closures.begin(), middle, closures.end());
-  return *middle;
+  return medianOf(std::move(closures));
 }
 
 /// The unit with clearly the smallest misclosure of the faces; Unstated if no unit stands out.

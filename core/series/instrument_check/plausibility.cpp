@@ -8,6 +8,7 @@
 
 #include "core/base/number_text.h"
 #include "core/base/phrase.h"
+#include "core/base/statistics.h"
 #include "core/base/visible_text.h"
 #include "core/series/instrument_check/round_difference.h"
 #include "core/series/instrument_check/station_parting.h"
@@ -25,13 +26,6 @@ std::string accessibleAngle(double arcseconds) {
   return displayText(size, 0) + "″";
 }
 
-double middleOf(std::vector<double> values) {
-  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-  std::nth_element(values.begin(), middle, values.end());
-  if (values.size() % 2 == 1) return *middle;
-  return (*middle + *std::max_element(values.begin(), middle)) / 2;
-}
-
 /// One number of each pair, grouped by round, arcsec.
 using PairNumbers = std::vector<std::vector<double>>;
 
@@ -40,7 +34,7 @@ void takeOffMedians(PairNumbers& numbers) {
   for (std::size_t k = 0; k < numbers.front().size(); ++k) {
     std::vector<double> column;
     for (const std::vector<double>& row : numbers) column.push_back(row[k]);
-    const double middle = middleOf(std::move(column));
+    const double middle = medianOf(std::move(column));
     for (std::vector<double>& row : numbers) row[k] -= middle;
   }
 }
@@ -117,7 +111,7 @@ class StationPlausibility {
     for (std::vector<double>& row : numbers) {
       const double start = row.front();
       for (double& value : row) value = std::remainder(value - start, fullTurn);
-      const double turn = middleOf(row);
+      const double turn = medianOf(row);
       for (double& value : row) value -= turn;
     }
     return numbers;

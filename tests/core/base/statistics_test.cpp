@@ -2,9 +2,12 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <numbers>
+#include <random>
+#include <vector>
 
 namespace alidade {
 namespace {
@@ -119,6 +122,20 @@ TEST(Statistics, GivesTheEffectiveDegreesOfFreedom) {
   EXPECT_NEAR(effectiveDegreesOfFreedom(3, 3, 7).count(), 7, 1e-12);
   EXPECT_TRUE(effectiveDegreesOfFreedom(1, 0, 5).areInfinite());
   EXPECT_TRUE(effectiveDegreesOfFreedom(1, 0.5, infinite).areInfinite());
+}
+
+// As many values lie above the median as below it, in whatever order they come.
+TEST(Statistics, MedianIsInTheMiddleOfTheSortedValues) {
+  std::mt19937 random(7);
+  for (std::size_t count = 1; count <= 12; ++count) {
+    std::vector<double> values(count);
+    for (double& value : values) value = static_cast<double>(random() % 9) - 4;
+    const double median = medianOf(values);
+    std::ranges::sort(values);
+    EXPECT_EQ(median, (values[(count - 1) / 2] + values[count / 2]) / 2) << count;
+  }
+  EXPECT_EQ(medianOf({infinite, 2, -infinite}), 2);
+  EXPECT_EQ(medianOf({infinite, 2}), infinite);
 }
 
 }  // namespace

@@ -107,7 +107,7 @@ TEST(Utf8Text, LeavesOutWhatInstrumentsSendBesideText) {
 }
 
 TEST(Utf8Text, RefusesWhatIsNoText) {
-  EXPECT_THAT(textOf(std::string_view("a\0b", 3)), HasSubstr("no text"));
+  EXPECT_THAT(textOf(std::string_view("a\0b", 3)), HasSubstr("is not a text file"));
 }
 
 }  // namespace

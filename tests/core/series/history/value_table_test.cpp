@@ -94,7 +94,7 @@ TEST(ValueTable, SaysWhereItCannotBeUsed) {
   EXPECT_THAT(refusal(""), HasSubstr("holds no value"));
   EXPECT_THAT(refusal("date,value,u\n"), HasSubstr("holds no value"));
   EXPECT_THAT(refusal("1.5,0.2\n1.4,0.2\n"), HasSubstr("no date"));
-  EXPECT_THAT(refusal(std::string("2001\0,1,1", 9)), HasSubstr("no text"));
+  EXPECT_THAT(refusal(std::string("2001\0,1,1", 9)), HasSubstr("is not a text file"));
 }
 
 }  // namespace

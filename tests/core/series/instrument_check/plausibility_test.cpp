@@ -138,7 +138,7 @@ TEST(PartedByGeometry, EvaluatesPlacesOfTheInstrumentOneByOne) {
 }
 
 TEST(PartedByGeometry, IsRefusedWhereAPlaceHasOneRound) {
-  EXPECT_THAT(refusal(atPlaces({3, 1})), HasSubstr("name the stations where the instrument was moved"));
+  EXPECT_THAT(refusal(atPlaces({3, 1})), HasSubstr("name the stations if the instrument was moved"));
 }
 
 TEST(PartedByGeometry, LeavesACircleThatIsSetAlone) {
