@@ -1,6 +1,7 @@
 #pragma once
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <utility>
 
@@ -28,9 +29,9 @@ namespace alidade {
 struct LeastSquaresOptions {
   int maximumIterations = 100;  ///< rejected steps counted
   double tolerance = 1e-9;      ///< converged if λ < tolerance
-  /// Converged only if also λ < confirmation one step before. If equations defer a part to the next step, as
-  /// linear equations of the arc angles do, λ can be small by chance. Infinite: λ is reliable, even at the
-  /// start.
+  /// Converged only if also λ ≤ confirmation one step before, or √χ² at the start, of which λ is never more.
+  /// If equations defer a part to the next step, as linear equations of the arc angles do, λ can be small by
+  /// chance. Infinite: λ is reliable.
   double confirmation = std::numeric_limits<double>::infinity();
   double firstDamping = 1e-6;    ///< > 0
   double largestDamping = 1e12;  ///< `NoDescent` once the damping reaches it
@@ -60,16 +61,14 @@ template <typename Problem>
 LeastSquaresMinimum<Problem> minimise(const Problem& problem, typename Problem::State start,
                                       const LeastSquaresOptions& options) {
   constexpr double smallestDamping = 1e-12;
-  constexpr double unknown = std::numeric_limits<double>::infinity();
   LeastSquaresMinimum<Problem> best{.state = std::move(start)};
   best.system = problem.system(best.state, {});
-  const bool isReliable = options.confirmation == unknown;
-  double remaining = unknown;
+  double remaining = std::sqrt(best.system.chiSquare);
   const auto hasArrived = [&] {
     const double before = std::exchange(remaining, problem.remaining(best.system));
-    return remaining < options.tolerance && (isReliable || before < options.confirmation);
+    return remaining < options.tolerance && before <= options.confirmation;
   };
-  bool arrived = isReliable && hasArrived();
+  bool arrived = remaining <= options.confirmation && hasArrived();
   typename Problem::System spare;
   double damping = options.firstDamping;
   for (; !arrived && damping < options.largestDamping && best.iterations < options.maximumIterations;

@@ -18,14 +18,16 @@ namespace alidade {
 namespace {
 
 /// Returns the model of an error-free set of readings with every effect as an unknown. It excludes past
-/// jumps.
+/// jumps. The known radius is error-free, too, so that the fit starts at its minimum.
 GapModel plannedModel(const GapModel& model, const Measurement& set, double noise,
                       const EffectScales& scales) {
   GapModel planned;
-  planned.measurement = std::make_shared<const Measurement>(withNoise(set, noise));
   planned.options.isClosed = model.options.isClosed;
   for (const ArcMeasurement& arc : set.arcs)
     planned.starts.push_back(model.fit->circleOf(arcAt(*model.measurement, arc.axisDeg).value()));
+  Measurement measurement = withNoise(set, noise);
+  measurement.nominalRadius = planned.starts.front().radius;
+  planned.measurement = std::make_shared<const Measurement>(std::move(measurement));
   for (EstimatedTerm term : model.options.terms) {
     if (isOfJump(term.term)) continue;
     term.start = term.priorValue = 0;

@@ -9,7 +9,8 @@
 namespace alidade {
 namespace {
 
-/// One unknown x, residuals v(x) in σ with derivative v'(x); no x below `wall`.
+/// One unknown x, residuals v(x) in σ with derivative v'(x), and one that x does not change; no x below
+/// `wall`.
 struct OneUnknown {
   using State = double;
   struct System {
@@ -17,13 +18,13 @@ struct OneUnknown {
   };
 
   std::function<double(double)> residual, derivative;
-  double wall = -std::numeric_limits<double>::infinity();
+  double wall = -std::numeric_limits<double>::infinity(), constant = 0;
   mutable int evaluated = 0;
 
   System system(double x, const System& /*used*/) const {
     ++evaluated;
     const double v = residual(x), d = derivative(x);
-    return {d * d, -d * v, v * v};
+    return {d * d, -d * v, v * v + constant * constant};
   }
   double remaining(const System& system) const { return std::abs(system.right) / std::sqrt(system.normal); }
   double moved(double x, const System& system, double damping) const {
@@ -71,9 +72,12 @@ TEST(LeastSquares, FindsTheRootOfACurve) {
   EXPECT_NEAR(found.system.chiSquare, 0, 1e-20);
 }
 
-// From a start at the minimum the iteration ends only after one step and a second one that confirms it.
+// From a start at the minimum the iteration ends only after one step and a second one that confirms it,
+// unless the start leaves next to no residuals.
 TEST(LeastSquares, DoesNotTrustASmallStepThatNeedsConfirmation) {
-  const OneUnknown problem = line();
+  OneUnknown problem = line();
+  EXPECT_EQ(minimise(problem, 2.0, {.tolerance = 1e-6, .confirmation = 1e-4}).iterations, 0);
+  problem.constant = 1;
   const auto found = minimise(problem, 2.0, {.tolerance = 1e-6, .confirmation = 1e-4});
   EXPECT_EQ(found.status, FitStatus::Converged);
   EXPECT_EQ(found.iterations, 2);
