@@ -81,12 +81,14 @@ double scatterOf(double bound, std::size_t rows) {
 
 void markSliders(RobustStart& start, const ArcMeasurement& arc, const Points& points, double floor) {
   std::vector<std::size_t> rows;
-  std::vector<double> offsets;
+  std::vector<Angle> zeros;
+  std::vector<double> offsets;  // from the first zero, since zeros near 180° lie on both sides of it
   for (std::size_t i = 0; i < points.size(); ++i) {
     if (!arc.sightings[i].slider || std::ranges::binary_search(start.apart, i)) continue;
     const double s = sliderCoordinateOf(nearestArcAngle(start.circle, points[i]), arc.axisDeg);
     rows.push_back(i);
-    offsets.push_back(wrapped(*arc.sightings[i].slider - Angle::fromRadians(s)).radians());
+    zeros.push_back(*arc.sightings[i].slider - Angle::fromRadians(s));
+    offsets.push_back(wrapped(zeros.back() - zeros.front()).radians());
   }
   if (rows.size() < fewestRows) return;
   const double zero = medianOf(offsets);

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <numbers>
 #include <numeric>
 #include <random>
 
@@ -67,15 +68,19 @@ TEST(RobustStart, SetsNothingApartInASoundArc) {
   EXPECT_THAT(robustStart(measurement, noisyArc(measurement, 500)).apart, IsEmpty());
 }
 
+// Wherever the scale of the slider begins, also near 180°, where half the offsets are wrapped.
 TEST(RobustStart, SetsSliderReadingsApart) {
   const Measurement measurement = usualMeasurement();
-  ArcMeasurement arc = noisyArc(measurement, 17);
-  const std::vector<double> places = spread(17, 160);
-  for (std::size_t i = 0; i < places.size(); ++i)
-    arc.sightings[i].slider = Angle::fromRadians(places[i] + 0.02);
-  arc.sightings[5].slider = *arc.sightings[5].slider + Angle::fromDegrees(10);
-  arc.sightings[6].slider = *arc.sightings[6].slider + Angle::fromDegrees(10);
-  EXPECT_THAT(robustStart(measurement, arc).sliderApart, ElementsAre(5, 6));
+  for (const int count : {16, 17})
+    for (const double zero : {0.02, std::numbers::pi, -std::numbers::pi / 2}) {
+      ArcMeasurement arc = noisyArc(measurement, count);
+      const std::vector<double> places = spread(count, 160);
+      for (std::size_t i = 0; i < places.size(); ++i)
+        arc.sightings[i].slider = wrapped(Angle::fromRadians(places[i] + zero));
+      for (const std::size_t row : {5, 6})
+        arc.sightings[row].slider = *arc.sightings[row].slider + Angle::fromDegrees(10);
+      EXPECT_THAT(robustStart(measurement, arc).sliderApart, ElementsAre(5, 6)) << count << ' ' << zero;
+    }
 }
 
 TEST(RobustStart, LeavesFewRowsTogether) {
