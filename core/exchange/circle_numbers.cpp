@@ -54,7 +54,7 @@ double spreadAround(const std::vector<double>& vertical, double horizon) {
 
 AngleUnit unitByNumbers(const std::vector<double>& all, const std::vector<double>& vertical) {
   constexpr double turn = 360;
-  if (std::ranges::any_of(all, [](double number) { return number >= turn; })) return AngleUnit::Gon;
+  if (std::ranges::any_of(all, [](double number) { return number > turn; })) return AngleUnit::Gon;
   if (vertical.empty()) return AngleUnit::Unstated;
   const double fromGon = spreadAround(vertical, 100), fromDegrees = spreadAround(vertical, 90);
   if (fromGon < fromDegrees / 2) return AngleUnit::Gon;

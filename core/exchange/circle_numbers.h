@@ -21,7 +21,7 @@ ColumnNumbers numbersIn(const std::vector<TableCells>& rows, std::size_t column)
 /// The mean distance of the readings from the horizon, at `horizon` in face 1 and 3 × `horizon` in face 2.
 double spreadAround(const std::vector<double>& vertical, double horizon);
 
-/// Gon if a reading in `all`, of both circles, is 360 or more. Else the unit whose horizon, 90° or 100 gon,
+/// Gon if a reading in `all`, of both circles, exceeds 360. Else the unit whose horizon, 90° or 100 gon,
 /// is less than half as far from the vertical readings as that of the other unit; else Unstated.
 AngleUnit unitByNumbers(const std::vector<double>& all, const std::vector<double>& vertical);
 

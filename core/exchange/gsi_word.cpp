@@ -312,9 +312,9 @@ std::variant<std::vector<GsiWord>, LineProblem> gsiWords(const TextLine& line) {
     if (auto problem = firstTorn(*block, line)) return *std::move(problem);
     words.insert(words.end(), block->words.begin(), block->words.end());
     if (words.size() >= limits::mostColumns)
-      return LineProblem{line.number, words.back().column,
-                         Phrase::of("has more than %1 words: transfer the file again",
-                                    limits::asCount(limits::mostColumns))};
+      return LineProblem{
+          line.number, words.back().column,
+          Phrase::of("has %1 words or more: transfer the file again", limits::asCount(limits::mostColumns))};
   }
   return words;
 }

@@ -203,7 +203,7 @@ class TableRecognition {
     std::ranges::sort(m_found.joinable, {},
                       [](const JoinableColumns& j) { return std::pair(j.first, j.count); });
     if (!joinedColumns(m_found.table.columns).empty())
-      reason(Phrase::of("degrees, minutes and seconds are in separate columns"));
+      reason(Phrase::of("degrees, minutes and any seconds are in separate columns"));
   }
 
   std::optional<std::size_t> columnOf(std::string_view key) const {
@@ -261,7 +261,7 @@ class TableRecognition {
     const bool mayBeDms = std::all_of(all.begin(), all.end(), isSexagesimal);
     if (unit == AngleUnit::Unstated || (unit == AngleUnit::Degrees && mayBeDms)) return;
     m_found.table.unit = unit;
-    if (largest >= turn)
+    if (largest > turn)
       reason(Phrase::of("gon, because %1 is more than 360", fixedText(largest, 4)));
     else if (unit == AngleUnit::Gon)
       reason(Phrase::of("gon, because the vertical readings are near 100 or 300: check the unit"));

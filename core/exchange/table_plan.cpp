@@ -358,10 +358,11 @@ class TablePlanner {
       if (!isGrad || m_layout.unit != AngleUnit::Unstated) continue;
       angle.unit = angle.isJoined() ? AngleUnit::Degrees : unitByNumbers(all, vertical);
       if (angle.unit == AngleUnit::Unstated && !all.empty())
-        refuse(angle.at[0],
-               Phrase::of("%1 names the unit grad, which may be degrees or gon: name it deg or gon, or state "
-                          "the unit (--unit deg, --unit gon)",
-                          m_plan.nameOf(angle.at[0])));
+        refuse(
+            angle.at[0],
+            Phrase::of("%1 names the unit grad, which may be degrees or gon: name it deg or gon, or choose "
+                       "the unit (--unit deg, --unit gon)",
+                       m_plan.nameOf(angle.at[0])));
     }
   }
 

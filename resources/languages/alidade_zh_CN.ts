@@ -577,7 +577,7 @@ Sealed by:</source>
     </message>
     <message>
         <source>nominal radius</source>
-        <translation>名义半径</translation>
+        <translation>标称半径</translation>
     </message>
     <message>
         <source>σ of the radius</source>
@@ -835,7 +835,7 @@ Sealed by:</source>
     </message>
     <message>
         <source>Nominal radius of the arc</source>
-        <translation>圆弧的名义半径</translation>
+        <translation>圆弧的标称半径</translation>
     </message>
     <message>
         <source>σ of R0</source>
@@ -843,7 +843,7 @@ Sealed by:</source>
     </message>
     <message>
         <source>Standard uncertainty of the nominal radius. With a known radius, it weights R0 in the fit; empty means exact. With a free or common radius, it makes R − R0 a closure; empty means no closure</source>
-        <translation>名义半径的标准不确定度。半径为“已知”时，它决定 R0 在拟合中的权，空表示精确；其他情况下，填写后 R − R0 作为闭合差，空则不作闭合差</translation>
+        <translation>标称半径的标准不确定度。半径为“已知”时，它决定 R0 在拟合中的权，空表示精确；其他情况下，填写后 R − R0 作为闭合差，空则不作闭合差</translation>
     </message>
     <message>
         <source>R&amp;adius is</source>
@@ -2193,8 +2193,8 @@ Sealed by:</source>
         <translation>%1 的数据既不是 8 个也不是 16 个字符：请重新传输文件，或改正、删除该行</translation>
     </message>
     <message>
-        <source>has more than %1 words: transfer the file again</source>
-        <translation>超过 %1 个字：请重新传输文件</translation>
+        <source>has %1 words or more: transfer the file again</source>
+        <translation>有 %1 个字或更多：请重新传输文件</translation>
     </message>
     <message>
         <source>is not made of digits: transfer the file again</source>
@@ -2493,7 +2493,7 @@ Sealed by:</source>
     </message>
     <message>
         <source>is empty: type the nominal radius of the arc in mm</source>
-        <translation>为空：请输入圆弧的名义半径，单位 mm</translation>
+        <translation>为空：请输入圆弧的标称半径，单位 mm</translation>
     </message>
     <message>
         <source>%1 is out of range: it must be between 0 and 1, such as 0.95</source>
@@ -2688,7 +2688,7 @@ Sealed by:</source>
     </message>
     <message>
         <source>add the nominal radius of the arc in mm</source>
-        <translation>请补上圆弧的名义半径，单位 mm</translation>
+        <translation>请补上圆弧的标称半径，单位 mm</translation>
     </message>
     <message>
         <source>add the reading of the direction perpendicular to the arc plane</source>
@@ -2704,7 +2704,7 @@ Sealed by:</source>
     </message>
     <message>
         <source>add the distance and the nominal radius</source>
-        <translation>请补上距离和名义半径</translation>
+        <translation>请补上距离和标称半径</translation>
     </message>
     <message>
         <source>add the list of the positions of the axis, which may be empty</source>
@@ -2816,11 +2816,11 @@ Sealed by:</source>
     </message>
     <message>
         <source>the fitted radius %1 mm is far from the nominal %2 mm.</source>
-        <translation>拟合半径 %1 mm 与名义值 %2 mm 相差很大。</translation>
+        <translation>拟合半径 %1 mm 与标称值 %2 mm 相差很大。</translation>
     </message>
     <message>
         <source>Check the distance L and the nominal radius R0: the fitted lengths are proportional to L.</source>
-        <translation>请检查距离 L 和名义半径 R0：拟合的长度与 L 成正比。</translation>
+        <translation>请检查距离 L 和标称半径 R0：拟合的长度与 L 成正比。</translation>
     </message>
     <message>
         <source>%1 and %2</source>
@@ -3217,7 +3217,7 @@ Sealed by:</source>
     </message>
     <message>
         <source>the distance L (%1) and the nominal radius R0 (%2), both in mm</source>
-        <translation>距离 L（%1）和名义半径 R0（%2），均以 mm 为单位</translation>
+        <translation>距离 L（%1）和标称半径 R0（%2），均以 mm 为单位</translation>
     </message>
     <message>
         <source>No theodolite sights anything at a distance of %1 mm.</source>
@@ -3393,7 +3393,7 @@ Sealed by:</source>
     </message>
     <message>
         <source>The verdict is withheld: the radius fitted at %1 differs from the nominal one by %2 %. Check %3.</source>
-        <translation>暂不判定：%1 的拟合半径与名义值相差 %2 %。请检查%3。</translation>
+        <translation>暂不判定：%1 的拟合半径与标称值相差 %2 %。请检查%3。</translation>
     </message>
     <message>
         <source>the tolerance of ± %1 mm</source>
@@ -3785,8 +3785,8 @@ title of a column and its cell: &quot;indistinguishable: gravity sag&quot;</extr
         <translation>χ² = %1，自由度 %2，%3</translation>
     </message>
     <message>
-        <source>%1: the values agree within their uncertainties, but their scatter is smaller and reveals a change.</source>
-        <translation>%1：各值在其不确定度内一致，但其离散更小，足以显示出变化。</translation>
+        <source>%1: the values agree within their uncertainties, yet their course over time shows a change.</source>
+        <translation>%1：各值在其不确定度内一致，但其随时间的走势仍显示出变化。</translation>
     </message>
     <message>
         <source>%1: the values agree within their uncertainties.</source>
@@ -4071,7 +4071,7 @@ title of a column and its cell: &quot;indistinguishable: gravity sag&quot;</extr
     </message>
     <message>
         <source>The rows differ in what the instrument corrected by itself (%1), so none of these corrections is used as known.</source>
-        <translation>各行中仪器自身所作的改正（%1）不一致，因此这些改正均不作为已知量采用。</translation>
+        <translation>各行中仪器自身所作的改正（%1）不一致，因此这些改正均不作为已知值采用。</translation>
     </message>
     <message>
         <source>Measure with the same corrections throughout, and state them with every reading.</source>
@@ -4087,7 +4087,7 @@ title of a column and its cell: &quot;indistinguishable: gravity sag&quot;</extr
     </message>
     <message>
         <source>Check the tripod; the uncertainty of the known tilt includes half of this movement.</source>
-        <translation>请检查三脚架；作为已知量的倾斜因此增加了其一半的不确定度。</translation>
+        <translation>请检查三脚架；倾斜已知值的不确定度中已计入这一变动的一半。</translation>
     </message>
     <message>
         <source>Calibrate the compensator&apos;s index. In face 2, tilts refer to the instrument&apos;s axes, which are turned by 180°.</source>
@@ -4259,7 +4259,7 @@ title of a column and its cell: &quot;indistinguishable: gravity sag&quot;</extr
     </message>
     <message>
         <source>Nominal radius R0, at the temperature of the measurement</source>
-        <translation>名义半径 R0（测量温度下）</translation>
+        <translation>标称半径 R0（测量温度下）</translation>
     </message>
     <message>
         <source>Scope</source>
@@ -5094,8 +5094,8 @@ title of a column and its cell: &quot;indistinguishable: gravity sag&quot;</extr
         <translation>设站（KN STAT）时对点 0 的照准，已作为瞄准零位：%1 次，首见于第 %2 行</translation>
     </message>
     <message>
-        <source>degrees, minutes and seconds are in separate columns</source>
-        <translation>度、分、秒各占一列</translation>
+        <source>degrees, minutes and any seconds are in separate columns</source>
+        <translation>度、分以及可能有的秒各占一列</translation>
     </message>
     <message>
         <source>the collimation of the instrument (04)</source>
@@ -5138,8 +5138,8 @@ title of a column and its cell: &quot;indistinguishable: gravity sag&quot;</extr
         <translation>%1 只有整度，而 %2 可能是其分或秒：请为这些列命名，如 Hz deg、Hz min、Hz sec，或选定各列的内容</translation>
     </message>
     <message>
-        <source>%1 names the unit grad, which may be degrees or gon: name it deg or gon, or state the unit (--unit deg, --unit gon)</source>
-        <translation>%1 的单位写作 grad，可能是度，也可能是 gon：请写作 deg 或 gon，或指明单位（--unit deg、--unit gon）</translation>
+        <source>%1 names the unit grad, which may be degrees or gon: name it deg or gon, or choose the unit (--unit deg, --unit gon)</source>
+        <translation>%1 的单位写作 grad，可能是度，也可能是 gon：请写作 deg 或 gon，或选定单位（--unit deg、--unit gon）</translation>
     </message>
     <message>
         <source>minutes or seconds of 60 carry to the next degree or minute: %1 in all, the first in line %2</source>
@@ -5226,8 +5226,8 @@ title of a column and its cell: &quot;indistinguishable: gravity sag&quot;</extr
         <translation>%1：水平度盘的计数方向与%2相反（目标 %3）：请在所有测回中采用同一方向，或逐一检查</translation>
     </message>
     <message>
-        <source>%1: target %2 is %3 from its direction in %4: correct the reading; or name the stations if the instrument was moved, or the targets if they are different ones</source>
-        <translation>%1：目标 %2 与其在%4中的方向相差 %3：请改正读数；若仪器移动过，请注明测站；若是不同的目标，请分别命名</translation>
+        <source>%1: target %2 is %3 from where it was sighted in %4: correct the reading; or name the stations if the instrument was moved, or the targets if they are different ones</source>
+        <translation>%1：目标 %2 与其在%4中照准的位置相差 %3：请改正读数；若仪器移动过，请注明测站；若是不同的目标，请分别命名</translation>
     </message>
     <message>
         <source>direction</source>
@@ -5270,8 +5270,8 @@ title of a column and its cell: &quot;indistinguishable: gravity sag&quot;</extr
         <translation>从%1起的测回观测的目标与此前不同：按另一测站评定。</translation>
     </message>
     <message>
-        <source>Target %1 (%2) is %3° from its direction in an earlier round (%4): these rounds are evaluated as another station.</source>
-        <translation>目标 %1（%2）与其在先前测回（%4）中的方向相差 %3°：这些测回按另一测站评定。</translation>
+        <source>Target %1 (%2) is %3° from where it was sighted in an earlier round (%4): these rounds are evaluated as another station.</source>
+        <translation>目标 %1（%2）与其在先前测回（%4）中照准的位置相差 %3°：这些测回按另一测站评定。</translation>
     </message>
     <message>
         <source>%1 is out of range: it must be above -10 and below 10 mm</source>
@@ -5762,8 +5762,8 @@ title of a column and its cell: &quot;indistinguishable: gravity sag&quot;</extr
         <translation>没有一行说明位移的对象：请添加一行，例如 radial = A*cos(2*s)。</translation>
     </message>
     <message>
-        <source>%1 cannot be set: begin a line with what it displaces, such as radial, or with a new name.</source>
-        <translation>不能给 %1 赋值：一行应以位移的对象（例如 radial）或新名称开头。</translation>
+        <source>%1 cannot be set: left of = must be the displaced quantity, such as radial, or a new name.</source>
+        <translation>不能给 %1 赋值：等号左边应为被位移的量（例如 radial）或新名称。</translation>
     </message>
     <message>
         <source>This line sets %1 to a number: remove %2.</source>
@@ -5890,12 +5890,8 @@ title of a column and its cell: &quot;indistinguishable: gravity sag&quot;</extr
         <translation>随机游走</translation>
     </message>
     <message>
-        <source>a number for each place</source>
+        <source>a separate value for each place</source>
         <translation>每个位置一个数</translation>
-    </message>
-    <message>
-        <source>%1 of %2</source>
-        <translation>%1（%2）</translation>
     </message>
     <message>
         <source>The form displaces readings by more than their σ over the whole range of %1.</source>
@@ -6138,6 +6134,10 @@ title of a column and its cell: &quot;indistinguishable: gravity sag&quot;</extr
     </message>
     <message>
         <source>Size</source>
+        <translation>大小</translation>
+    </message>
+    <message>
+        <source>Known size</source>
         <translation>已知值</translation>
     </message>
     <message>
@@ -6206,7 +6206,7 @@ title of a column and its cell: &quot;indistinguishable: gravity sag&quot;</extr
     </message>
     <message>
         <source>The residuals shrink by %1 %, by %2 % on readings held out of the fit.</source>
-        <translation>残差减小 %1 %，在留出拟合之外的读数上减小 %2 %。</translation>
+        <translation>残差减小 %1 %，在未参与拟合的留出读数上减小 %2 %。</translation>
     </message>
     <message>
         <source>The residuals shrink by %1 %; there are too few readings to hold any out of the fit.</source>
@@ -6669,8 +6669,8 @@ Includes every catalogued effect, limited by these readings or by its plausible 
         <translation>Δd 变化</translation>
     </message>
     <message>
-        <source>Device: T (m)</source>
-        <translation>设备：T（m）</translation>
+        <source>Device: T, m</source>
+        <translation>设备：T，m</translation>
     </message>
     <message>
         <source>Each session is compared with the next, and the first with the last. Δd, measured, has its expanded uncertainty; effects common to both sessions cancel. Device: d holds the m changes of (O1 − O2)/2 and of the radii, from the readings alone; T = dᵀC⁻¹d with the full covariance C of both fits.</source>
@@ -6778,7 +6778,7 @@ Includes every catalogued effect, limited by these readings or by its plausible 
     </message>
     <message>
         <source>i, estimated together with the collimation, from targets at several elevations</source>
-        <translation>i，由不同高度角的目标与照准差一并估计</translation>
+        <translation>i：根据多个高度角的目标，连同照准差一起估计</translation>
     </message>
     <message>
         <source>Line of sight</source>
@@ -7159,11 +7159,11 @@ Includes every catalogued effect, limited by these readings or by its plausible 
         <translation>无原因</translation>
     </message>
     <message>
-        <source>%1 is most informative per minute (%2 min): it separates %3 from %4.</source>
+        <source>%1 is most informative per minute (it takes %2 min): it separates %3 from %4.</source>
         <translation>按每分钟的信息量，%1 最佳（需 %2 min）：可区分%3与%4。</translation>
     </message>
     <message>
-        <source>%1 is most informative per minute (%2 min): it reduces U by %3.</source>
+        <source>%1 is most informative per minute (it takes %2 min): it reduces U by %3.</source>
         <translation>按每分钟的信息量，%1 最佳（需 %2 min）：可使 U 减小 %3。</translation>
     </message>
     <message>
@@ -7203,8 +7203,8 @@ Includes every catalogued effect, limited by these readings or by its plausible 
         <translation>要使 Δd 的 U 在任何效应下达到 %1 mm：还需照准 %2 次，共 %3 min。</translation>
     </message>
     <message>
-        <source>These places do not determine Δd.</source>
-        <translation>这些位置不能确定 Δd。</translation>
+        <source>The protocol has no position left at the other axis angle: Δd needs readings at 0° and at 180°.</source>
+        <translation>方案中另一轴角已没有剩余轴位：Δd 需要 0° 和 180° 两处的读数。</translation>
     </message>
     <message>
         <source>U = %1 mm of Δd is not reached: %2 more sightings give %3 mm.</source>
@@ -7644,7 +7644,7 @@ Includes every catalogued effect, limited by these readings or by its plausible 
     </message>
     <message>
         <source>On %1 readings held out of the fit, the form reduces the gap by %2 %; fitted to all readings, the form reduces the whole gap by %3 % (F test: p %4).</source>
-        <translation>在留出拟合之外的 %1 个读数上，该形式使差距缩小 %2 %；用全部读数拟合时，使全部差距缩小 %3 %（F 检验：p %4）。</translation>
+        <translation>在未参与拟合的 %1 个留出读数上，该形式使差距缩小 %2 %；用全部读数拟合时，使全部差距缩小 %3 %（F 检验：p %4）。</translation>
     </message>
     <message>
         <source>%1 was already replaced: write both again</source>
@@ -7876,7 +7876,7 @@ Includes every catalogued effect, limited by these readings or by its plausible 
         <translation>两个盘位相差超过 2°（不是同一目标，或误读）：%1。</translation>
     </message>
     <message>
-        <source>%1 is most informative per minute (%2 min): it shows whether %3 is also present.</source>
+        <source>%1 is most informative per minute (it takes %2 min): it shows whether %3 is also present.</source>
         <translation>按每分钟的信息量，%1 最佳（需 %2 min）：可显示是否还有%3。</translation>
     </message>
     <message>
@@ -7908,8 +7908,8 @@ Includes every catalogued effect, limited by these readings or by its plausible 
         <translation>尚不足够：%1 已判明，但读数不能排除另有原因。</translation>
     </message>
     <message>
-        <source>Not enough yet: %1 is evident, but not the only cause; no second cause is probable enough.</source>
-        <translation>尚不足够：%1 已有明证，但并非唯一原因；没有哪个第二原因的概率足够大。</translation>
+        <source>Not enough yet: %1 is evident and a further cause is present, but none is probable enough to be identified.</source>
+        <translation>尚不足够：%1 已有明证，且还存在另一原因，但没有哪个原因的概率足以确认。</translation>
     </message>
     <message>
         <source>Not enough yet: %1 is evident; further readings show whether it is the only cause.</source>
@@ -8062,19 +8062,19 @@ Includes every catalogued effect, limited by these readings or by its plausible 
     </message>
     <message>
         <source>1st quarter</source>
-        <translation>第 1 四分段</translation>
+        <translation>第 1 个四分之一时段</translation>
     </message>
     <message>
         <source>2nd quarter</source>
-        <translation>第 2 四分段</translation>
+        <translation>第 2 个四分之一时段</translation>
     </message>
     <message>
         <source>3rd quarter</source>
-        <translation>第 3 四分段</translation>
+        <translation>第 3 个四分之一时段</translation>
     </message>
     <message>
         <source>4th quarter</source>
-        <translation>第 4 四分段</translation>
+        <translation>第 4 个四分之一时段</translation>
     </message>
     <message>
         <source>amplitude</source>
@@ -8733,7 +8733,7 @@ as read</source>
     </message>
     <message>
         <source>Nominal radius R0</source>
-        <translation>名义半径 R0</translation>
+        <translation>标称半径 R0</translation>
     </message>
     <message>
         <source>Vertical circle</source>
@@ -9457,7 +9457,7 @@ a clause as a sentence</extracomment>
     </message>
     <message>
         <source>The same fault, one face</source>
-        <translation>同样的故障，单盘位</translation>
+        <translation>同样的误差，单盘位</translation>
     </message>
     <message>
         <source>Ambiguous: indistinguishable causes, and the readings to take next</source>
@@ -9799,7 +9799,7 @@ a clause as a sentence</extracomment>
     </message>
     <message>
         <source>%1 sighted points, %2 fitted arcs, residuals drawn %3</source>
-        <translation>%1 个照准点，%2 个拟合圆弧，残差绘制 %3</translation>
+        <translation>%1 个照准点，%2 个拟合圆弧，残差按 %3 放大绘制</translation>
     </message>
     <message>
         <source>Should be: strokes point in all directions, O1 and O2 lie within the tolerance.</source>
@@ -11078,7 +11078,7 @@ a clause as a sentence</extracomment>
         <translation>把所勾选的模型效应去掉</translation>
     </message>
     <message>
-        <source>Should be: no part of a bar is far larger than the others; such a part shows where the gap lies.</source>
+        <source>Should be: no part of a bar is far larger than the others; if one is, the gap lies there.</source>
         <translation>应为：条中没有哪一部分远大于其余部分；若有，差距即在该处。</translation>
     </message>
     <message>
@@ -12266,7 +12266,7 @@ a clause as a sentence</extracomment>
     </message>
     <message>
         <source>The session follows no protocol. Choose one by “Protocol”.</source>
-        <translation>本次测量未按方案。请用“方案”选择。</translation>
+        <translation>本次测量未采用方案。请用“方案”选择。</translation>
     </message>
     <message>
         <source>Protocol</source>
@@ -12421,8 +12421,8 @@ a clause as a sentence</extracomment>
         <translation>方案：%1</translation>
     </message>
     <message>
-        <source>Sightings that reach the wanted U of Δd are listed here while the session has 1 to %1 rows.</source>
-        <translation>测量记录有 1 至 %1 行时，此处列出达到所需 Δd 的 U 的照准。</translation>
+        <source>The sightings needed for “U to reach” are listed here once L, R0 and a reading are entered (up to %1 rows).</source>
+        <translation>填好 L、R0 和读数后（至多 %1 行），此处列出使 Δd 的 U 达到所需值的照准。</translation>
     </message>
     <message>
         <source> mm</source>
@@ -13956,7 +13956,7 @@ a clause as a sentence</extracomment>
     </message>
     <message>
         <source>Type the distance L, the nominal radius R0, the pointing zeros and at least three readings of the arc at 0° and at 180°.</source>
-        <translation>请录入距离 L、名义半径 R0、瞄准零位，以及圆弧在 0° 和 180° 的至少三个读数。</translation>
+        <translation>请录入距离 L、标称半径 R0、瞄准零位，以及圆弧在 0° 和 180° 的至少三个读数。</translation>
     </message>
     <message>
         <source>No result</source>

@@ -204,10 +204,11 @@ void ReportSheet::paintFrame(QPainter& painter, int page) {
     painter.drawLine(QPointF(0, y) * m_unit, QPointF(width, y) * m_unit);
   };
   const double step = lineHeight(type::small);
-  paintLine(painter, elided(m_frame.product, type::small, width * 0.53), type::small, 0, headerTop, width,
+  const QString session = elided(m_frame.session, type::small, width * 0.44);
+  const double left = width * 0.97 - textWidth(session, type::small);
+  paintLine(painter, elided(m_frame.product, type::small, left), type::small, 0, headerTop, width,
             Qt::AlignLeft);
-  paintLine(painter, elided(m_frame.session, type::small, width * 0.44), type::small, 0, headerTop, width,
-            Qt::AlignRight);
+  paintLine(painter, session, type::small, 0, headerTop, width, Qt::AlignRight);
   rule(headerTop + step + 0.6);
   const double footerTop = m_height + footerGap;
   rule(footerTop);

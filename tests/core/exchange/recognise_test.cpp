@@ -70,6 +70,7 @@ TEST(Recognise, ProposesAUnitWhereTheNumbersTellIt) {
   EXPECT_EQ(unit("379.8592,98.0811\n12.5,97.54\n"), AngleUnit::Gon);
   EXPECT_EQ(unit("12.5,101.8\n13.5,98.9\n"), AngleUnit::Gon) << "around the horizon of gon";
   EXPECT_EQ(unit("341.8733,88.2802\n341.4336,86.69\n"), AngleUnit::Degrees) << "87 are no minutes";
+  EXPECT_EQ(unit("360.0000,88.2802\n341.4336,86.69\n"), AngleUnit::Degrees) << "a full turn by rounding";
   EXPECT_EQ(unit("341.5224,88.1649\n341.2601,86.4124\n"), AngleUnit::Unstated) << "either kind of degrees";
   EXPECT_EQ(unit("341°52'24\",88°16'49\"\n"), AngleUnit::Unstated);
   EXPECT_TRUE(found("Hz,V\n341.5224,88.1649\n").asksUnit);

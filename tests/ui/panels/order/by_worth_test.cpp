@@ -170,7 +170,7 @@ TEST_F(ByWorth, IsSwitchedOffAndOnInTheMenu) {
 
 TEST_F(ByWorth, ListsTheSightingsThatReachAnUncertainty) {
   want(0.9);
-  EXPECT_THAT(shown(), HasSubstr("while the session has 1 to"));
+  EXPECT_THAT(shown(), HasSubstr("once L, R0 and a reading are entered"));
   want(0);
   for (int i = 0; i < 3; ++i) ASSERT_TRUE(typeNext());
   EXPECT_THAT(shown(), HasSubstr("Enter the U of Δd")) << "the session has no tolerance";
