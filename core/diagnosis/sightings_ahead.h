@@ -17,7 +17,7 @@ struct SightingsAhead {
   double minutes = 0;
   /// U of Δd after `sightings`, mm, with every effect of plausible size; absent without both positions.
   std::optional<double> expanded = {};
-  bool isReached = false;  ///< false: `expanded` is the U that these sightings reach
+  bool isReached = false;  ///< whether `expanded` is at most the requested U
   /// If not reached: first U after these sightings. Then, where U falls by a tenth or more, U of as many
   /// sightings with slider readings or in both faces, and U with an effect of known size.
   std::vector<AttainableUncertainty> instead = {};

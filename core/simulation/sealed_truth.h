@@ -50,8 +50,8 @@ SealedTruth sealed(const std::string& id, const Truth& truth, const std::optiona
 /// keys are ignored. `plan` is a synonym of `protocol`. For the kind `all`, the keys of `there` are the
 /// causes. A kind that the diagnosis cannot name is uncatalogued. Truths of series are skipped. The result is
 /// in the order of the ids. Fails if there is no truth. Fails, with the id and the key, on a value of the
-/// wrong type, a kind within two letters of an effect, a cause that cannot be diagnosed, a gross_error
-/// without blunders, and two_causes without causes.
+/// wrong type, an effect misspelt by one or two letters as kind, a cause that cannot be diagnosed, a
+/// gross_error without blunders, and two_causes without causes.
 Result<std::vector<SealedTruth>> readSealedTruths(const std::string& text);
 
 }  // namespace alidade

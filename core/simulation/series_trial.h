@@ -22,7 +22,7 @@ struct SeriesSeal {
   CauseOwner owner = CauseOwner::Time;
   std::string serial = {};  ///< of the owner; empty if the truth does not state it
   std::string protocol = {};
-  std::optional<double> visible = {};       ///< in all sessions together, σ
+  std::optional<double> visible = {};  ///< length of the shared cause's trace in all sessions together, σ
   std::optional<std::size_t> spoiled = {};  ///< index of a session with a cause of its own
   std::string spoiledBy = {};               ///< id of this session's own cause
 };

@@ -41,7 +41,7 @@ const KnownCheck* checkOf(const Gap& gap, const Effect& effect, const EffectPara
 Statement gapKnown(const Gap& gap) {
   Statement statement{.id = "known",
                       .title = Phrase::of("Known sizes of instrument and device"),
-                      .columns = {{"number", Phrase::of("Size"), Statement::Column::Role::Name},
+                      .columns = {{"number", Phrase::of("Known size"), Statement::Column::Role::Name},
                                   {"known", Phrase::of("known")},
                                   {"readings", Phrase::of("these readings")},
                                   {"from", Phrase::of("known from"), Statement::Column::Role::Text}},

@@ -37,7 +37,7 @@ struct Headline {
 
     Kind kind = Kind::Across;
     std::string text;
-    bool isWarning = false;  ///< to be read before the verdict is used, or why it is open
+    bool isWarning = false;  ///< must be read before the verdict is used, or says why it is open
   };
 
   std::string name;            ///< "Δd", "Δd, fit only" while provisional, "d" where the distance is judged

@@ -47,12 +47,13 @@ std::string nextSentence(const SightingChoice& choice, const ProtocolProgress& p
       worth.one.empty() ? std::tie(worth.other, worth.one) : std::tie(worth.one, worth.other);
   const bool isOfCauses = 2 * worth.ofCauses > worth.worth();
   if (isOfCauses && other.empty() && !choice.soFar.further.empty())
-    return Phrase::of("%1 is most informative per minute (%2 min): it shows whether %3 is also present.",
-                      next, minutes, nameOf(cause));
+    return Phrase::of(
+        "%1 is most informative per minute (it takes %2 min): it shows whether %3 is also present.", next,
+        minutes, nameOf(cause));
   if (isOfCauses)
-    return Phrase::of("%1 is most informative per minute (%2 min): it separates %3 from %4.", next, minutes,
-                      nameOf(cause), nameOf(other));
-  return Phrase::of("%1 is most informative per minute (%2 min): it reduces U by %3.", next, minutes,
+    return Phrase::of("%1 is most informative per minute (it takes %2 min): it separates %3 from %4.", next,
+                      minutes, nameOf(cause), nameOf(other));
+  return Phrase::of("%1 is most informative per minute (it takes %2 min): it reduces U by %3.", next, minutes,
                     probabilityText(-std::expm1(-worth.ofUncertainty)));
 }
 
@@ -114,8 +115,8 @@ std::string evidentSentence(const SessionSoFar& state) {
   constexpr double unlikely = 0.05;
   return probabilityOf({""}, state.further) < unlikely
              ? Phrase::of(
-                   "Not enough yet: %1 is evident, but not the only cause; no second cause is probable "
-                   "enough.",
+                   "Not enough yet: %1 is evident and a further cause is present, but none is probable "
+                   "enough to be identified.",
                    first)
              : Phrase::of(
                    "Not enough yet: %1 is evident; further readings show whether it is the only cause.",

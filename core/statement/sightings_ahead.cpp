@@ -61,7 +61,9 @@ std::string sentenceOf(const SightingsAhead& ahead, double uncertainty) {
   if (ahead.isReached)
     return Phrase::of("U = %1 mm of Δd, whatever effect is present, needs further sightings: %2, in %3 min.",
                       wanted, ahead.sightings.size(), minutes);
-  if (!ahead.expanded) return Phrase::of("These places do not determine Δd.");
+  if (!ahead.expanded)
+    return Phrase::of(
+        "The protocol has no position left at the other axis angle: Δd needs readings at 0° and at 180°.");
   return Phrase::of("U = %1 mm of Δd is not reached: %2 more sightings give %3 mm.", wanted,
                     ahead.sightings.size(), displayText(*ahead.expanded, decimalsFor(*ahead.expanded)));
 }

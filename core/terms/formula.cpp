@@ -241,9 +241,11 @@ class FormulaMaker {
     const auto isNamed = [&](const auto& entry) { return entry.name == name; };
     if (std::ranges::any_of(formulaVariables, isNamed) || std::ranges::any_of(formulaFunctions, isNamed) ||
         name == "pi" || name == "temperature" || m_numbers.contains(name))
-      return faultAt(statement.name, Phrase::of("%1 cannot be set: begin a line with what it displaces, such "
-                                                "as radial, or with a new name.",
-                                                quotation(name)));
+      return faultAt(
+          statement.name,
+          Phrase::of(
+              "%1 cannot be set: left of = must be the displaced quantity, such as radial, or a new name.",
+              quotation(name)));
     auto plain = plainExpression(statement, m_numbers);
     if (!plain) return plain.problem();
     for (const auto* names : {&plain->variables, &plain->amplitudes})

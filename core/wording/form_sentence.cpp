@@ -83,7 +83,7 @@ std::vector<std::string> functionTexts(const Form& form) {
     case FormFunction::Walk:
       return {Phrase::of("a random walk")};
     case FormFunction::PerPlace:
-      return {Phrase::of("a number for each place")};
+      return {Phrase::of("a separate value for each place")};
     case FormFunction::Hysteresis:
       break;
   }
@@ -103,7 +103,7 @@ std::string amplitudeText(const FormNumber& amplitude, const Form& form) {
 
 /// The term of a free form: its kind and the size of its coefficients.
 std::string freeText(const FoundForm& found, const FormNumber& amplitude) {
-  return " + " + Phrase::of("%1 of %2", functionTexts(found.form).front(),
+  return " + " + Phrase::of("%1 (%2)", functionTexts(found.form).front(),
                             sizeText(std::abs(amplitude.value), amplitude.sigma, found.form));
 }
 

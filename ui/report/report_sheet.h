@@ -67,7 +67,8 @@ class ReportSheet {
   void beginsWith(ReportPages::SharedHead head) { m_pages.beginsWith(std::move(head)); }
   /// Starts a new page if less than `needed` mm are left on this page.
   void keepTogether(double needed);
-  /// Starts a new page if the first lines of the paragraph do not fit. Call before drawing at their left.
+  /// Starts a new page if the first lines of the paragraph do not fit. To be called before anything is drawn
+  /// to the left of the paragraph.
   void keepStart(const QString& text, const TextStyle& style, double indent = 0);
   void skip(double distance) { m_y += distance; }
 

@@ -106,8 +106,8 @@ struct JointFitOptions {
   /// model. Both positions share one radius and one x. The pointing zeros are estimated with their stated σ
   /// as priors, since a wrong zero leaves residuals in this model.
   bool isClosed = false;
-  /// Each arc, even of the same axis, has its own centre and radius and keeps the zero read, to show how the
-  /// arcs disagree. Excludes a closed model.
+  /// Each arc has its own centre and radius, even at the same axis angle, and uses its pointing zero as read,
+  /// to show how the arcs disagree. Not together with `isClosed`.
   bool isApart = false;
   /// The pointing zeros are estimated even if no axis is measured again: for a part of a session whose fit
   /// estimates them.

@@ -30,9 +30,9 @@ class DrawPlan {
 
   std::size_t terms() const { return m_terms; }
   static constexpr std::size_t distance = 0, radius = 1, firstTerm = 2;
-  /// Index of the two zeros of an arc.
+  /// Index in `Draw::normals` of the two zeros of an arc: horizontal, vertical.
   std::size_t zeros(std::size_t arc) const { return m_zeros[arc]; }
-  /// Index of the readings of a sighting: horizontal, vertical, slider.
+  /// Index there of the readings of a sighting: horizontal, vertical, slider.
   std::size_t readings(std::size_t arc, std::size_t sighting) const { return m_readings[arc][sighting]; }
 
  private:

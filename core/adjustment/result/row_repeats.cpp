@@ -22,7 +22,7 @@ constexpr double nearSteps = 10;  // of the grid, to either side
 /// The circle readings that two identical rows share: face, a and e in rad.
 using Circles = std::tuple<int, double, double>;
 
-/// A place of the slider as the user numbers it: face and point.
+/// Face and point number of a row. Rows that share both sight the same place in the same face.
 using Mark = std::pair<int, int>;
 
 /// The first index of each key.

@@ -50,7 +50,8 @@ void JumpComponent::fillProducts(const SharedProducts& with, Eigen::Ref<VectorXd
   own = ofAll.segment<2>(2 * static_cast<Index>(m_index));
 }
 
-/// The far wider width counts only if the usual widths detect a jump, which they do for a jump of any size.
+/// The far wider width counts only once the usual widths detect a jump. They detect a jump however far beyond
+/// them.
 Gain JumpComponent::gain(const TurnedColumns& columns, double variance) const {
   constexpr double shows = 10;  // ln Bayes factor of a detected jump
   const Gain usual = Component::gain(columns, variance);

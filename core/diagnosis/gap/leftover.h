@@ -61,8 +61,8 @@ class Leftover {
   double redundancy(Eigen::Index reading) const { return m_redundancy[reading]; }
   /// ∂reading/∂term, whitened, before projection, `readings()` long.
   Eigen::VectorXd column(ErrorTerm term) const;
-  /// Inner products of ∂reading/∂term of every term with a visible vector, `rows()` or `readings()` long.
-  /// They are 0 for terms without derivatives in the equations.
+  /// For each term, the inner product of its whitened ∂reading/∂term with `visible`, which is `rows()` or
+  /// `readings()` long. 0 for terms without derivatives in the equations.
   Eigen::VectorXd productsOfTerms(const Eigen::VectorXd& visible) const;
   /// ∂reading/∂unknown, whitened, for the unknown of this kind of each reading's arc; 0 if the arc has none.
   Eigen::VectorXd column(Unknown::Kind kind) const;

@@ -143,7 +143,7 @@ class Assembly {
   const Linearised& m_all;
   const PriorOdds m_odds = {};
   SightingEquations m_result;
-  std::vector<MatrixXd> m_columns;  ///< over the readings: of the unknowns, then of the causes
+  std::vector<MatrixXd> m_columns;  ///< a row per reading; a matrix per unknown, then one per cause
   Index m_causeColumns = 0;
   VectorXd m_residual;                 ///< over the readings, without known values
   MatrixXd m_rows, m_taken;            ///< unknowns, causes and residual, side by side

@@ -11,9 +11,11 @@ struct DiagnosisThresholds {
   /// Of two sets of causes with odds this close (natural logarithm; odds of 7), the one with fewer causes is
   /// reported.
   double nearlyAsGood = 2;
-  /// Traces that differ by less (σ) are confused in 7 % of the cases: not reliably separated.
+  /// Traces that differ by this many σ are confused in 7 % of the cases. If they differ by less, they are not
+  /// reliably separated.
   double hardlyDifferent = 3.0;
-  /// Traces that differ by more (σ) are confused in 2 % of the cases: separated, if the readings agree.
+  /// Traces that differ by this many σ are confused in 2 % of the cases. If they differ by more, they are
+  /// separated, provided that the readings agree.
   double clearlyDifferent = 4.2;
   /// Explanations with a smaller probability are not averaged into Δd: each needs a fit of its own.
   double leastAveraged = 0.01;

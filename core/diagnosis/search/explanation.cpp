@@ -28,8 +28,8 @@ class NoiseScales {
     m_inverseSquares = (-2 * m_logs).exp();
   }
 
-  /// Returns ln ∫ p(scale) (evidence at the scale/evidence at `reference`), with ln evidence = −f ln scale −
-  /// ½ χ²/scale².
+  /// Returns ln ∫ p(s) E(s)/E(`reference`) d ln s over the noise scale s. p is the prior density of ln s,
+  /// and ln E(s) = −f ln s − ½ χ²/s².
   double logIntegral(double chiSquare, double f, double reference, double& likeliest) const {
     const Logs values = m_densities - f * (m_logs - std::log(reference)) -
                         0.5 * chiSquare * (m_inverseSquares - 1 / (reference * reference));

@@ -266,7 +266,8 @@ Search::State Search::with(const State& state, const Growth& growth, bool inAnyC
   if (!inAnyCase && !mayGrow(next)) return next;
 
   if (!m_products.contains(component)) m_products[component] = m_table.productsOf(component);
-  // Factors of P: `own` for the columns without eliminated directions, `added` for the new directions.
+  // P times these factors gives products with all columns (`State`): `own` for the component's columns
+  // without their part in the eliminated directions, `added` for the directions that the component adds.
   const Index parts = state.taken.rows(), directions = state.taken.cols();
   MatrixXd own(parts + count, count);
   own << -state.taken * before.transpose(), MatrixXd::Identity(count, count);

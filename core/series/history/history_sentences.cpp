@@ -42,8 +42,7 @@ std::string agreement(const History& history) {
                        history.degreesOfFreedom, chanceText(*history.chance));
   if (*history.chance >= leastChance && history.course != Course::Constant)
     return Phrase::of(
-        "%1: the values agree within their uncertainties, but their scatter is smaller and reveals a change.",
-        chi);
+        "%1: the values agree within their uncertainties, yet their course over time shows a change.", chi);
   if (*history.chance >= leastChance)
     return Phrase::of("%1: the values agree within their uncertainties.", chi);
   return Phrase::of("%1: the values scatter about one mean %2 times as much as their uncertainties say.", chi,

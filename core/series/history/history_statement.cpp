@@ -165,7 +165,7 @@ Statement congruenceTable(const DeviceHistory& device) {
                   {"to", Phrase::of("To"), Role::Word},
                   {"difference", Phrase::of("Δd changes by")},
                   {"p", "p"},
-                  {"device", Phrase::of("Device: T (m)")},
+                  {"device", Phrase::of("Device: T, m")},
                   {"p_device", "p"},
                   {"change", "", Role::Word}},
       .rows = {},
@@ -182,7 +182,7 @@ Statement congruenceTable(const DeviceHistory& device) {
           visibleText(device.epochs[congruence.second].date),
           lengthWithUncertainty(congruence.difference, congruence.expanded, decimalsFor(congruence.expanded)),
           chanceCell(congruence.chance),
-          test ? Phrase::of("%1 (%2)", displayText(test->statistic, 1), test->ids.size()) : "—",
+          test ? Phrase::of("%1, %2", displayText(test->statistic, 1), test->ids.size()) : "—",
           test ? chanceCell(test->chance) : "—", changeText(congruence)}});
   }
   if (statement.rows.empty()) statement.note.clear();

@@ -38,7 +38,7 @@ class StepSearch {
  public:
   explicit StepSearch(const DateSums& dates);
 
-  /// The best dates of one step more than in the last call, at first of one. Needs more dates than steps.
+  /// The n-th call returns the best dates of n steps. Needs more dates than steps.
   Stepping next();
 
  private:

@@ -86,7 +86,8 @@ class StationPlausibility {
             "same direction in all rounds, or check them one by one",
             linesOf(two), linesOf(one), targetName(two));
       return Phrase::of(
-          "%1: target %2 is %3 from its direction in %4: correct the reading; or name the stations if the "
+          "%1: target %2 is %3 from where it was sighted in %4: correct the reading; or name the stations if "
+          "the "
           "instrument was moved, or the targets if they are different ones",
           linesOf(two), targetName(two), accessibleAngle(difference->by.arcseconds()), linesOf(one));
     }

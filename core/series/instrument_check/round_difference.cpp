@@ -24,7 +24,8 @@ CommonPairs commonPairs(const ObservedRound& first, const ObservedRound& second)
   return common;
 }
 
-/// The index of the value farthest from the median, and its distance from the median, degrees, ≥ 0.
+/// The index of the value farthest from the lower median, and its distance from it, degrees, ≥ 0. The lower
+/// median is one of the values; the mean of two would halve their difference.
 std::pair<std::size_t, double> farthest(const std::vector<Angle>& values) {
   std::vector<double> degrees;
   degrees.reserve(values.size());

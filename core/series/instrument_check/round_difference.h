@@ -20,7 +20,7 @@ struct RoundDifference {
 std::size_t commonTargets(const ObservedRound& first, const ObservedRound& second);
 
 /// The target whose place differs most between the rounds, if it differs by more than `most`. Directions are
-/// compared relative to their median, since the circle may have been reset.
+/// compared relative to their lower median, since the circle may have been reset.
 std::optional<RoundDifference> differenceOf(const ObservedRound& first, const ObservedRound& second,
                                             Angle most);
 

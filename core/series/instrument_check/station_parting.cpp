@@ -106,7 +106,8 @@ class StationParting {
           linesOf(here.pairs.front()));
     const FacePair &one = before.pairs[difference->first], &two = here.pairs[difference->second];
     return Phrase::of(
-        "Target %1 (%2) is %3° from its direction in an earlier round (%4): these rounds are evaluated as "
+        "Target %1 (%2) is %3° from where it was sighted in an earlier round (%4): these rounds are "
+        "evaluated as "
         "another station.",
         quotation(m_station.targets[two.target]), linesOf(two), displayText(difference->by.degrees(), 1),
         linesOf(one));

@@ -124,7 +124,7 @@ TEST(Statistics, GivesTheEffectiveDegreesOfFreedom) {
   EXPECT_TRUE(effectiveDegreesOfFreedom(1, 0.5, infinite).areInfinite());
 }
 
-// As many values lie above the median as below it, in whatever order they come.
+// The middle one of the sorted values, or the mean of the two in the middle, in whatever order they come.
 TEST(Statistics, MedianIsInTheMiddleOfTheSortedValues) {
   std::mt19937 random(7);
   for (std::size_t count = 1; count <= 12; ++count) {

@@ -90,7 +90,7 @@ GapPanel::GapPanel(QWidget* parent)
   m_causesBlock = createCauses();
   m_formsBlock = block(tr("Form"), {m_forms});
   auto* noLargePart = standard(
-      tr("Should be: no part of a bar is far larger than the others; such a part shows where the gap lies."));
+      tr("Should be: no part of a bar is far larger than the others; if one is, the gap lies there."));
   m_whereBlock = block(tr("Where the gap lies"), {m_map, noLargePart, m_leftOver});
   m_blocks = {m_headline,
               m_causesBlock,

@@ -72,7 +72,8 @@ QString nameOf(const SightingProtocol& protocol) {
 
 QString listedLater() {
   return OrderPanel::tr(
-             "Sightings that reach the wanted U of Δd are listed here while the session has 1 to %1 rows.")
+             "The sightings needed for “U to reach” are listed here once L, R0 and a reading are entered (up "
+             "to %1 rows).")
       .arg(mostForChoice);
 }
 

@@ -24,7 +24,7 @@ class PositionTabs : public QTabWidget {
   explicit PositionTabs(SessionDocument& document, QWidget* parent = nullptr);
 
   ReadingsTable* table(std::size_t position) const;
-  ReadingsTable* currentTable() const;  ///< null if the session has no positions
+  ReadingsTable* currentTable() const;  ///< null while the tab of a missing position is shown
   void setEvaluation(const SharedEvaluation& evaluation);
   void setColumnShown(ReadingColumn column, bool shown);
   /// Shows the tab of the position, or that of a missing position if the session has fewer positions.

@@ -52,7 +52,7 @@ TEST(CheckedFile, OfTwoStationsWithoutNamesIsEvaluatedByStation) {
 
 TEST(CheckedFile, WithATargetElsewhereIsRefusedWithItsLines) {
   EXPECT_THAT(refusalOf("check-target-elsewhere.csv"),
-              HasSubstr("lines 9 and 12: target “Q” is 2.0° from its direction in lines 3 and 6"));
+              HasSubstr("lines 9 and 12: target “Q” is 2.0° from where it was sighted in lines 3 and 6"));
 }
 
 TEST(CheckedFile, WithAnOrientationThatJumpsIsRefused) {

@@ -63,7 +63,7 @@ TEST(Implausibility, NamesTheLinesOfATargetThatIsElsewhere) {
   CheckReadings readings = plausible(3);
   for (const std::size_t i : {9U, 14U}) turned(7200)(readings.readings[i]);
   EXPECT_THAT(refusal(readings),
-              HasSubstr("lines 11 and 16: target “B” is 2.0° from its direction in lines 3 and 8"));
+              HasSubstr("lines 11 and 16: target “B” is 2.0° from where it was sighted in lines 3 and 8"));
 }
 
 TEST(Implausibility, NamesACircleThatCountsInTheOppositeDirection) {
