@@ -35,6 +35,17 @@ class FigureGrid::Figure : public QLabel {
     update();
   }
 
+  /// Wide enough for a figure with its uncertainty and unit in one line. QLabel's own hint breaks it.
+  QSize sizeHint() const override {
+    constexpr int longest = 24;  // average characters
+    const QFontMetricsF metrics(font());
+    const double line = std::min(metrics.horizontalAdvance(text()), longest * metrics.averageCharWidth());
+    const QMargins margins = contentsMargins();
+    const QSize hint = QLabel::sizeHint();
+    return {std::max(hint.width(), static_cast<int>(line) + 2 + margins.left() + margins.right()),
+            hint.height()};
+  }
+
  protected:
   void paintEvent(QPaintEvent* event) override {
     if (m_bar) {
