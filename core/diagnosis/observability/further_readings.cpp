@@ -181,11 +181,13 @@ auto offering(const std::function<void(const FurtherReadings&)>& take) {
   };
 }
 
-/// Returns the rows without error. Sightings of zeros are missing: they are added when all rows are known.
+/// Returns the rows and zeros without error. Sightings of zeros are missing: they are added when all rows are
+/// known.
 Measurement rowsWithoutError(const GapModel& model) {
   Measurement plan = *model.measurement;
   leaveOutZeros(plan);
-  for (std::size_t arc = 0; arc < plan.arcs.size(); ++arc)
+  for (std::size_t arc = 0; arc < plan.arcs.size(); ++arc) {
+    for (SightedZero& zero : plan.arcs[arc].zeroSightings) zero.a = zero.e = Angle();
     for (std::size_t i = 0; i < plan.arcs[arc].sightings.size(); ++i) {
       Sighting& sighting = plan.arcs[arc].sightings[i];
       const double phi = arcAngle(model, arc, i);
@@ -193,6 +195,7 @@ Measurement rowsWithoutError(const GapModel& model) {
       if (sighting.slider)
         sighting.slider = Angle::fromRadians(sliderCoordinateOf(phi, plan.arcs[arc].axisDeg));
     }
+  }
   return plan;
 }
 

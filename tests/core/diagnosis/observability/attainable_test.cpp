@@ -54,6 +54,18 @@ TEST(Attainable, BeginsWithWhatTheReadingsThemselvesHave) {
   }
 }
 
+// A plan has zeros without error, however the zeros of its session contradict each other: a drift changes U
+// only by the places that it displaces, 1e-3.
+TEST(Attainable, DoesNotDependOnTheErrorsOfZeros) {
+  for (const ErrorTerm drift : {ErrorTerm::HorizontalDrift, ErrorTerm::VerticalDrift}) {
+    Truth truth = drawTruth(3);
+    truth.effects = {{drift, 60}};
+    const auto drifting =
+        attainableBy(*examine(*simulateWithoutNoise(*protocolByName("again"), truth, 3)).measurement);
+    EXPECT_NEAR(drifting[0].expanded / attainableBy(cleanBy("again"))[0].expanded, 1, 1e-3);
+  }
+}
+
 // A certificate that leaves almost no uncertainty reduces U to the promised value.
 TEST(Attainable, OfAKnownEffectIsWhatACertificateBrings) {
   for (const char* plan : {"paper", "two-face"}) {
