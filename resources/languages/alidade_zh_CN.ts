@@ -3850,8 +3850,8 @@ title of a column and its cell: &quot;indistinguishable: gravity sag&quot;</extr
         <translation>仅从读数看，设备没有变化：(O1 − O2)/2 和半径一致。</translation>
     </message>
     <message>
-        <source>From the readings alone, the device has changed: (O1 − O2)/2 or the radii differ.</source>
-        <translation>仅从读数看，设备已有变化：(O1 − O2)/2 或半径不同。</translation>
+        <source>From the readings alone, the device shows a change: (O1 − O2)/2 or the radii differ.</source>
+        <translation>仅从读数看，设备显示有变化：(O1 − O2)/2 或半径不同。</translation>
     </message>
     <message>
         <source>O1 and O2 have not moved relative to the theodolite.</source>

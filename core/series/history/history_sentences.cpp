@@ -260,7 +260,7 @@ std::vector<std::string> congruenceSentences(const std::vector<Epoch>& epochs, c
     addTest(
         *congruence.device,
         Phrase::of("From the readings alone, the device shows no change: (O1 − O2)/2 and the radii agree."),
-        Phrase::of("From the readings alone, the device has changed: (O1 − O2)/2 or the radii differ."));
+        Phrase::of("From the readings alone, the device shows a change: (O1 − O2)/2 or the radii differ."));
   if (congruence.setUp)
     addTest(
         *congruence.setUp, Phrase::of("O1 and O2 have not moved relative to the theodolite."),

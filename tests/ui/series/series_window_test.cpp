@@ -148,7 +148,7 @@ TEST(SeriesWindow, ComparesTwoSessionsThatAreSelected) {
   table->selectionModel()->select(table->model()->index(6, 0), QItemSelectionModel::ClearAndSelect | rows);
   table->selectionModel()->select(table->model()->index(7, 0), QItemSelectionModel::Select | rows);
   EXPECT_THAT(bench.text("congruence"), HasSubstr("Δd has changed between 2025-07-10"));
-  EXPECT_THAT(bench.text("congruence"), HasSubstr("the device has changed"));
+  EXPECT_THAT(bench.text("congruence"), HasSubstr("the device shows a change"));
 }
 
 TEST(SeriesWindow, NamesTheTroubleOfASession) {
