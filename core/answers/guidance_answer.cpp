@@ -19,12 +19,12 @@ Guidance guidanceOf(const Session& session, SightingProtocol protocol, std::opti
   const std::optional<TwoFaces> faces = compareFaces(measurement);
   const FittedSession fitted{measurement, fit, faces ? &*faces : nullptr, suspects};
   Guidance guidance{guideAlong(std::move(protocol), session, &fitted), uncertainty};
-  if (uncertainty) guidance.ahead = sightingsAhead(measurement, guidance.protocol, *uncertainty);
-  std::optional<Diagnosis> diagnosis;
+  std::optional<Diagnosis> found;
   if (fit.intersection)
-    if (auto found = diagnose(measurement, fit)) diagnosis = *std::move(found);
-  guidance.outlook =
-      outlookOf(measurement, fit, diagnosis ? &*diagnosis : nullptr, guidance.protocol, guidance.progress);
+    if (auto answer = diagnose(measurement, fit)) found = *std::move(answer);
+  const Diagnosis* const diagnosis = found ? &*found : nullptr;
+  if (uncertainty) guidance.ahead = sightingsAhead(measurement, guidance.protocol, *uncertainty, diagnosis);
+  guidance.outlook = outlookOf(measurement, fit, diagnosis, guidance.protocol, guidance.progress);
   return guidance;
 }
 

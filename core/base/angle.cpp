@@ -16,4 +16,13 @@ Angle wrapped(Angle angle, Angle centre) {
   return Angle::fromRadians(value);
 }
 
+void MeanDirection::add(Angle direction) {
+  m_cosine += std::cos(direction.radians());
+  m_sine += std::sin(direction.radians());
+}
+
+Angle MeanDirection::value() const {
+  return Angle::fromRadians(std::atan2(m_sine, m_cosine));
+}
+
 }  // namespace alidade

@@ -36,4 +36,15 @@ class Angle {
 /// function wraps angles. Use the centre 0° for differences, 180° for circle readings.
 Angle wrapped(Angle angle, Angle centre = {});
 
+/// The mean of directions. Unlike a mean of numbers it does not depend on where they are wrapped.
+class MeanDirection {
+ public:
+  void add(Angle direction);
+  /// In [−180°, 180°]; 0 without directions.
+  Angle value() const;
+
+ private:
+  double m_cosine = 0, m_sine = 0;
+};
+
 }  // namespace alidade

@@ -224,6 +224,8 @@ Result<Diagnosis, DiagnosisFault> diagnose(const Measurement& measurement, const
   diagnosis.undetectableJumps =
       undetectableJumps(inquiry.leftover, inquiry.candidates, perReading, *inquiry.base.measurement);
   if (options.forVerdict) return diagnosis;
+  const double scatter = std::max(1.0, noiseScale(*answer.after.fit).factor);
+  diagnosis.noise = answer.after.noise * scatter;
   diagnosis.gap = sizeOf(own);
   diagnosis.after = sizeOf(answer.opened);
   diagnosis.shrink = shrinkageOf(inquiry, answer);
@@ -249,8 +251,7 @@ Result<Diagnosis, DiagnosisFault> diagnose(const Measurement& measurement, const
   if (stop.stop_requested()) return stopped;
   if (options.withAttainable && answer.kind != Answer::Kind::Unknown)
     diagnosis.attainable =
-        attainableUncertainties(answer.after, std::max(1.0, noiseScale(*answer.after.fit).factor),
-                                measured ? measured->scales : EffectScales{});
+        attainableUncertainties(answer.after, scatter, measured ? measured->scales : EffectScales{});
   return diagnosis;
 }
 

@@ -6,6 +6,7 @@
 #include <string>
 
 #include "core/base/statistics.h"
+#include "core/diagnosis/gap/gap_model.h"
 #include "core/diagnosis/next_sighting/all_possible.h"
 #include "core/diagnosis/next_sighting/possible_sightings.h"
 #include "core/diagnosis/next_sighting/sighting_equations.h"
@@ -144,9 +145,10 @@ std::vector<AttainableUncertainty> insteadOf(const Path& best, const Measurement
 
 }  // namespace
 
-SightingsAhead sightingsFor(double uncertainty, const Measurement& measurement, const SightingPlan& plan,
+SightingsAhead sightingsFor(double uncertainty, const Measurement& taken, const SightingPlan& plan,
                             std::size_t most, const std::stop_token& stop) {
   constexpr std::size_t numbersHere[] = {0, 5, 9, 14, 20, 28, 38, 50, 66};  // before the axis is turned
+  const Measurement measurement = withNoise(taken, plan.noise);
   Path here(uncertainty, measurement, plan, stop);
   Path best = here;
   const auto keepBetter = [&](const Path& path) {

@@ -30,9 +30,9 @@ inline constexpr std::size_t mostAhead = 150;
 /// coverage. The position of the last reading comes first, then the other position; several divisions of the
 /// sightings between both are tried. Each sighting is the one that reduces U most for its minutes. U does not
 /// depend on the values of the readings, so the planned readings follow from the arcs fitted so far.
-/// `measurement` has at least one sighting; `most` limits the planned sightings. The axis is turned at most
+/// `taken` has at least one sighting; `most` limits the planned sightings. The axis is turned at most
 /// once, if the plan allows it. On a stop request, returns early with the sightings so far.
-SightingsAhead sightingsFor(double uncertainty, const Measurement& measurement, const SightingPlan& plan,
+SightingsAhead sightingsFor(double uncertainty, const Measurement& taken, const SightingPlan& plan,
                             std::size_t most = mostAhead, const std::stop_token& stop = {});
 
 }  // namespace alidade

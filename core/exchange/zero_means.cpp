@@ -1,5 +1,6 @@
 #include "core/exchange/zero_means.h"
 
+#include <cmath>
 #include <optional>
 
 #include "core/base/angle_text.h"
@@ -11,6 +12,7 @@ namespace {
 
 /// Decimals of arcseconds in a mean of several sightings: finer than any circle's last digit.
 constexpr int meanDecimals = 2;
+constexpr double perArcsecond = 100;
 
 /// The mean in face 1; absent if one of the angles cannot be read.
 std::optional<FaceOneReading> meanOf(const std::vector<const RecordedSighting*>& sightings,
@@ -32,8 +34,10 @@ std::optional<FaceOneReading> meanOf(const std::vector<const RecordedSighting*>&
   return FaceOneReading{sum.horizontal * share, sum.vertical * share};
 }
 
-std::string written(Angle angle) {
-  return formatDms(angle, meanDecimals, AngleSigns::Typewriter);
+/// `angle` in the turn about `centre`, also after rounding.
+std::string written(Angle angle, Angle centre) {
+  const Angle rounded = Angle::fromArcseconds(std::round(angle.arcseconds() * perArcsecond) / perArcsecond);
+  return formatDms(wrapped(rounded, centre), meanDecimals, AngleSigns::Typewriter);
 }
 
 }  // namespace
@@ -42,8 +46,9 @@ ZeroMean zeroMean(const std::vector<const RecordedSighting*>& sightings, Vertica
   const Reading& first = sightings.front()->row;
   const auto mean = sightings.size() > 1 || first.face == "2" ? meanOf(sightings, circle) : std::nullopt;
   if (!mean) return {.horizontal = first.horizontal, .vertical = first.vertical, .isMean = false};
-  return {.horizontal = written(wrapped(mean->horizontal, Angle::fromDegrees(180))),
-          .vertical = written(mean->vertical),
+  const Angle half = Angle::fromDegrees(180), quarter = Angle::fromDegrees(90);
+  return {.horizontal = written(mean->horizontal, half),
+          .vertical = written(mean->vertical, circle == VerticalCircle::Zenith ? half : quarter),
           .isMean = true};
 }
 

@@ -90,9 +90,10 @@ std::vector<PlannedSighting> furtherRound(const SightingProtocol& protocol, std:
 /// Calculates U of planned measurements.
 class Expectation {
  public:
-  /// `fit` is that of the existing readings.
-  explicit Expectation(const SessionFit& fit)
-      : m_noise(fit.arcs.empty() ? NoiseScale{1, DegreesOfFreedom::infinite().count()} : fit.noise) {}
+  /// `fit` is that of the existing readings, `diagnosis` its diagnosis or null.
+  Expectation(const SessionFit& fit, const Diagnosis* diagnosis)
+      : m_scatter(fit.arcs.empty() ? NoiseScale{1, DegreesOfFreedom::infinite().count()} : fit.noise),
+        m_noise(diagnosis ? diagnosis->noise : std::max(1.0, m_scatter.factor)) {}
 
   /// U of the existing readings becomes `stated`, and U of further readings changes in proportion. If the
   /// stated U, measured, is larger than the planned one, the difference of the squares stays constant.
@@ -106,19 +107,20 @@ class Expectation {
   }
 
   std::optional<ExpandedPair> of(const Measurement& plan) const {
-    const auto ofFit = plannedUncertaintyOfFit(plan, m_noise);
+    const auto ofFit = plannedUncertaintyOfFit(plan, m_scatter);
     if (!ofFit) return std::nullopt;
     ExpandedPair pair{m_ofFit * *ofFit};
-    if (const auto measured = plannedUncertainty(plan, noise()))
+    if (const auto measured = plannedUncertainty(plan, m_noise))
       pair.asMeasured = std::hypot(m_asMeasured * *measured, m_inQuadrature);
     return pair;
   }
 
   /// Ratio of noise to stated noise, at least 1: no verdict relies on scatter below the stated noise.
-  double noise() const { return std::max(1.0, m_noise.factor); }
+  double noise() const { return m_noise; }
 
  private:
-  NoiseScale m_noise;
+  NoiseScale m_scatter;  ///< of the fit, which takes effects for noise
+  double m_noise;
   double m_ofFit = 1, m_asMeasured = 1;  ///< ratio of U, stated over planned
   double m_inQuadrature = 0;             ///< part of U, measured, that is added in quadrature, mm
 };
@@ -250,7 +252,7 @@ Outlook outlookOf(const Measurement& measurement, const SessionFit& fit, const D
                   const std::stop_token& stop) {
   Outlook outlook;
   seeVerdict(outlook, measurement, fit, diagnosis);
-  Expectation expectation(fit);
+  Expectation expectation(fit, diagnosis);
   if (fit.intersection) outlook.now = expectation.of(asThere(measurement, fit));
   if (outlook.now) {
     ExpandedPair stated{fit.intersection->expanded, outlook.now->asMeasured};

@@ -183,13 +183,15 @@ std::optional<SightingChoice> followChoice(const Session& session, const Measure
 }
 
 std::optional<SightingsAhead> sightingsAhead(const Measurement& measurement, const SightingProtocol& protocol,
-                                             double uncertainty, const std::stop_token& stop) {
+                                             double uncertainty, const Diagnosis* diagnosis,
+                                             const std::stop_token& stop) {
   const bool isBegun =
       std::ranges::any_of(measurement.arcs, [](const ArcMeasurement& arc) { return !arc.sightings.empty(); });
   if (!protocol.isByWorth || !isBegun || measurement.rows > mostForChoice) return std::nullopt;
   SightingPlan plan = openPlan(protocol);
   if (plan.places.empty()) return std::nullopt;
   plan.canTurnAxis = protocol.positions.size() > measurement.arcs.size();
+  if (diagnosis) plan.noise = diagnosis->noise;
   return sightingsFor(uncertainty, measurement, plan, mostAhead, stop);
 }
 

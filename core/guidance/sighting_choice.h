@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "core/diagnosis/next_sighting.h"
+#include "core/diagnosis/result/diagnosis.h"
 #include "core/diagnosis/result/sighting_plan.h"
 #include "core/diagnosis/sightings_ahead.h"
 #include "core/session/measurement.h"
@@ -48,8 +49,10 @@ std::optional<SightingChoice> followChoice(const Session& session, const Measure
                                            const SightingProtocol& protocol, ProtocolProgress& progress);
 
 /// The sightings at the places of a protocol by worth that reach this U of Δd, mm (`sightingsFor`). Absent in
-/// another protocol, before the first reading, and above `mostForChoice`.
+/// another protocol, before the first reading, and above `mostForChoice`. The noise is that of the diagnosis
+/// of the measurement; with a null diagnosis, the stated noise.
 std::optional<SightingsAhead> sightingsAhead(const Measurement& measurement, const SightingProtocol& protocol,
-                                             double uncertainty, const std::stop_token& stop = {});
+                                             double uncertainty, const Diagnosis* diagnosis,
+                                             const std::stop_token& stop = {});
 
 }  // namespace alidade

@@ -30,7 +30,8 @@ FormulaArguments argumentsAt(const OwnPlace& place, double a, double e) {
   const int face = at.face > 0 ? 1 : 2;
   at.a = a;
   at.e = e;
-  at.horizontalCircle = place.horizontalZero + a + (face == 1 ? 0 : std::numbers::pi);
+  const double circle = place.horizontalZero + a + (face == 1 ? 0 : std::numbers::pi);
+  at.horizontalCircle = wrapped(Angle::fromRadians(circle), Angle::fromDegrees(180)).radians();
   at.verticalCircle = verticalCircleReading(e, face, place.circle);
   return at;
 }

@@ -34,21 +34,19 @@ double turnoverOf(std::vector<SliderPlace>& places) {
   return turnover;
 }
 
-/// The mean of reading − s, rad, computed as a mean of directions.
-double zeroOf(const std::vector<SliderPlace>& places) {
-  double sine = 0, cosine = 0;
-  for (const SliderPlace& place : places) {
-    sine += std::sin(place.reading - place.s);
-    cosine += std::cos(place.reading - place.s);
-  }
-  return std::atan2(sine, cosine);
-}
-
 double near(double angle, double centre) {
   return wrapped(Angle::fromRadians(angle), Angle::fromRadians(centre)).radians();
 }
 
 }  // namespace
+
+double sliderZero(std::span<const double> arcAngles, std::span<const Sighting* const> sliders, int axisDeg) {
+  MeanDirection zero;
+  for (std::size_t i = 0; i < arcAngles.size(); ++i)
+    if (sliders[i])
+      zero.add(*sliders[i]->slider - Angle::fromRadians(sliderCoordinateOf(arcAngles[i], axisDeg)));
+  return zero.value().radians();
+}
 
 void unwrapAlongSlider(std::span<double> arcAngles, std::span<const Sighting* const> sliders, int axisDeg) {
   std::vector<SliderPlace> places;
@@ -59,7 +57,7 @@ void unwrapAlongSlider(std::span<double> arcAngles, std::span<const Sighting* co
   if (places.empty()) return;
   const auto [least, most] = std::ranges::minmax(places, {}, &SliderPlace::s);
   if (most.s - least.s < std::numbers::pi) return;
-  const double turnover = turnoverOf(places), zero = zeroOf(places);
+  const double turnover = turnoverOf(places), zero = sliderZero(arcAngles, sliders, axisDeg);
   double sum = 0;
   for (SliderPlace& place : places) {
     const double turn = place.reading < turnover ? 0 : 2 * std::numbers::pi;

@@ -6669,8 +6669,8 @@ Includes every catalogued effect, limited by these readings or by its plausible 
         <translation>Δd 变化</translation>
     </message>
     <message>
-        <source>Device: T, m</source>
-        <translation>设备：T，m</translation>
+        <source>Device: T, number</source>
+        <translation>设备：T，个数</translation>
     </message>
     <message>
         <source>Each session is compared with the next, and the first with the last. Δd, measured, has its expanded uncertainty; effects common to both sessions cancel. Device: d holds the m changes of (O1 − O2)/2 and of the radii, from the readings alone; T = dᵀC⁻¹d with the full covariance C of both fits.</source>

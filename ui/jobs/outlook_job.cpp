@@ -38,12 +38,13 @@ void OutlookJob::start() {
       [evaluation, gap = m_gap, uncertainty = m_uncertainty](const std::stop_token& stop) {
         const Guide& guide = *evaluation->guide;
         const Measurement& measurement = *evaluation->examined.measurement;
+        const Diagnosis* const diagnosis = gap ? gap->found() : nullptr;
         OutlookOfSession found{evaluation};
         if (guide.protocol.isByWorth)
-          found.ahead = sightingsAhead(measurement, guide.protocol, uncertainty, stop);
+          found.ahead = sightingsAhead(measurement, guide.protocol, uncertainty, diagnosis, stop);
         else
-          found.outlook = outlookOf(measurement, evaluation->fit, gap ? gap->found() : nullptr,
-                                    guide.protocol, guide.progress, stop);
+          found.outlook =
+              outlookOf(measurement, evaluation->fit, diagnosis, guide.protocol, guide.progress, stop);
         return found;
       },
       [evaluation](const std::string& reason) {

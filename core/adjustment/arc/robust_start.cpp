@@ -82,15 +82,17 @@ double scatterOf(double bound, std::size_t rows) {
 void markSliders(RobustStart& start, const ArcMeasurement& arc, const Points& points, double floor) {
   std::vector<std::size_t> rows;
   std::vector<Angle> zeros;
-  std::vector<double> offsets;  // from the first zero, since zeros near 180° lie on both sides of it
+  MeanDirection mean;
   for (std::size_t i = 0; i < points.size(); ++i) {
     if (!arc.sightings[i].slider || std::ranges::binary_search(start.apart, i)) continue;
     const double s = sliderCoordinateOf(nearestArcAngle(start.circle, points[i]), arc.axisDeg);
     rows.push_back(i);
     zeros.push_back(*arc.sightings[i].slider - Angle::fromRadians(s));
-    offsets.push_back(wrapped(zeros.back() - zeros.front()).radians());
+    mean.add(zeros.back());
   }
   if (rows.size() < fewestRows) return;
+  std::vector<double> offsets;  // from the mean direction, since zeros near 180° lie on both sides of it
+  for (const Angle& one : zeros) offsets.push_back(wrapped(one - mean.value()).radians());
   const double zero = medianOf(offsets);
   std::vector<double> sizes;
   for (double& offset : offsets) {

@@ -415,6 +415,10 @@ class Search {
                                     studentised(m_shifts.size() + i),
                                     {out.other}});
     }
+    for (GrossError& error : search.grossErrors) {  // half a turn may be fitted in either direction
+      const bool isWithinTurn = std::abs(error.size.radians()) < 2 * std::numbers::pi;
+      if (error.cell.kind == ReadingKind::Slider && isWithinTurn) error.size = wrapped(error.size);
+    }
     // Errors of a reading are at most half a turn: a larger size means that the fit diverged.
     std::erase_if(search.grossErrors, [](const GrossError& error) {
       return !(std::abs(error.size.radians()) <= std::numbers::pi);

@@ -152,20 +152,25 @@ class ArcApart {
     m_visits = visitsOf(m_arc);
     m_feet.reserve(m_visits.size());
     m_sliders.reserve(m_visits.size());
-    for (const Visit& visit : m_visits) {
+    const std::size_t step = 1 + m_visits.size() / 64;  // so many give the start of the zero well enough
+    MeanDirection zero;
+    for (std::size_t v = 0; v < m_visits.size(); ++v) {
+      const Visit& visit = m_visits[v];
       VisitReading reading(m_line.levelled(visit.mean.direction), visit.mean.rows);
       if (const Sighting* row = m_sliders.emplace_back(sliderOf(m_arc, visit))) {
         reading.slider = row->slider->radians();
-        if (!m_hasSlider) m_unknowns.sliderZero = sliderZeroBy(reading);
+        if (!m_hasSlider || v % step == 0) zero.add(sliderZeroBy(reading));
         m_hasSlider = true;
       }
       m_feet.add(reading);
     }
+    m_unknowns.sliderZero = zero.value().radians();
   }
 
-  double sliderZeroBy(const VisitReading& reading) const {
+  Angle sliderZeroBy(const VisitReading& reading) const {
     const PlanePoint<double> place = sightedPoint(m_feet.view(), reading);
-    return *reading.slider - m_feet.view().turn * nearestArcAngle(m_unknowns.circle, place);
+    return Angle::fromRadians(*reading.slider -
+                              m_feet.view().turn * nearestArcAngle(m_unknowns.circle, place));
   }
 
   /// Computes feet, normal equations and χ², which omits the differences between rows of a visit.

@@ -187,6 +187,10 @@ JointState JointProblem::start(const std::vector<Circle>& circles) const {
     state.arcAngles[static_cast<Index>(v)] = nearestArcAngle(circles[m_visits[v].arc], place);
   }
   unwrap(state);
+  eachArc(state, [&](std::size_t arc, std::span<double> arcAngles, Sliders sliders) {
+    const Index zero = m_slotMaps[arc][static_cast<std::size_t>(Unknown::Kind::SliderZero)];
+    if (zero >= 0) state.unknowns[zero] = sliderZero(arcAngles, sliders, m_measurement.arcs[arc].axisDeg);
+  });
   return state;
 }
 
@@ -204,15 +208,20 @@ JointState JointProblem::stateOf(const JointFit& fit) const {
   return state;
 }
 
-void JointProblem::unwrap(JointState& state) const {
+void JointProblem::eachArc(JointState& state, const TakeArc& take) const {
   std::vector<const Sighting*> sliders;
   for (const VisitOfArc& visit : m_visits) sliders.push_back(visit.slider);
   for (std::size_t first = 0, end = 0; first < m_visits.size(); first = end) {
     while (end < m_visits.size() && m_visits[end].arc == m_visits[first].arc) ++end;
-    unwrapAlongSlider(std::span(state.arcAngles.data() + first, end - first),
-                      std::span(sliders).subspan(first, end - first),
-                      m_measurement.arcs[m_visits[first].arc].axisDeg);
+    take(m_visits[first].arc, std::span(state.arcAngles.data() + first, end - first),
+         std::span(sliders).subspan(first, end - first));
   }
+}
+
+void JointProblem::unwrap(JointState& state) const {
+  eachArc(state, [&](std::size_t arc, std::span<double> arcAngles, Sliders sliders) {
+    unwrapAlongSlider(arcAngles, sliders, m_measurement.arcs[arc].axisDeg);
+  });
 }
 
 ReadingRef JointProblem::cellOf(std::size_t visitIndex, Index row) const {

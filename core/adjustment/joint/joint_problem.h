@@ -4,6 +4,7 @@
 #include <array>
 #include <functional>
 #include <memory>
+#include <span>
 #include <vector>
 
 #include "core/adjustment/joint/joint_fit.h"
@@ -115,6 +116,10 @@ class JointProblem {
   void estimate(const Unknown& unknown, const Prior& prior);
   void consider(const Unknown& unknown, double sigma);
   void buildSlotMaps();
+  /// For each visit of an arc, the row with its slider reading, or null.
+  using Sliders = std::span<const Sighting* const>;
+  using TakeArc = std::function<void(std::size_t arc, std::span<double> arcAngles, Sliders sliders)>;
+  void eachArc(JointState& state, const TakeArc& take) const;
   /// Unwraps the arc angles, each arc separately.
   void unwrap(JointState& state) const;
   template <typename Function>

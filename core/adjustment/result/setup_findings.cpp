@@ -32,7 +32,7 @@ void judgeDistance(std::vector<FitFinding>& findings, const Measurement& measure
 bool isUpsideDown(const ArcFit& arc) {
   const double up = halfTurnSign(arc.axisDeg);
   const auto wrong = std::ranges::count_if(
-      arc.residuals, [&](const SightingResidual& row) { return up * row.arcAngle < 0; });
+      arc.residuals, [&](const SightingResidual& row) { return up * std::sin(row.arcAngle) < 0; });
   return 2 * static_cast<std::size_t>(wrong) > arc.residuals.size();
 }
 

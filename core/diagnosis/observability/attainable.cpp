@@ -18,7 +18,7 @@ namespace alidade {
 namespace {
 
 /// Returns the model of an error-free set of readings with every effect as an unknown. It excludes past
-/// jumps. The known radius is error-free, too, so that the fit starts at its minimum.
+/// jumps. Known sizes are those of the set, too, so that the fit starts at its minimum.
 GapModel plannedModel(const GapModel& model, const Measurement& set, double noise,
                       const EffectScales& scales) {
   GapModel planned;
@@ -27,6 +27,7 @@ GapModel plannedModel(const GapModel& model, const Measurement& set, double nois
     planned.starts.push_back(model.fit->circleOf(arcAt(*model.measurement, arc.axisDeg).value()));
   Measurement measurement = withNoise(set, noise);
   measurement.nominalRadius = planned.starts.front().radius;
+  for (KnownNumber& known : measurement.known) known.value = 0;
   planned.measurement = std::make_shared<const Measurement>(std::move(measurement));
   for (EstimatedTerm term : model.options.terms) {
     if (isOfJump(term.term)) continue;

@@ -1,9 +1,13 @@
 #include "core/diagnosis/observability/further_readings.h"
 
 #include <algorithm>
+#include <map>
 #include <numbers>
 #include <optional>
+#include <set>
+#include <span>
 #include <utility>
+#include <vector>
 
 #include "core/adjustment/joint/sighted_zeros.h"
 #include "core/observation/half_turn.h"
@@ -118,24 +122,50 @@ std::optional<FurtherReadings> withSecondStandOff(const GapModel& model, const M
   return withFurtherSetUp(plan, Measure::SecondStandOff, std::move(more));
 }
 
+/// The sightings of a place in the rounds and faces in which at least half the places are sighted, else one
+/// in face 1; with a slider reading if at least half the sightings have one.
+std::vector<Sighting> usualSightings(const ArcMeasurement& arc) {
+  std::map<std::pair<int, int>, std::set<int>> pointsOf;  // by round and face
+  std::set<int> points;
+  for (const Sighting& sighting : arc.sightings) {
+    pointsOf[{sighting.round, sighting.face}].insert(sighting.point);
+    points.insert(sighting.point);
+  }
+  const auto read = std::ranges::count_if(arc.sightings, [](const Sighting& one) { return !!one.slider; });
+  std::vector<Sighting> usual;
+  for (const auto& [pass, there] : pointsOf) {
+    if (2 * there.size() < points.size()) continue;
+    Sighting& sighting = usual.emplace_back();
+    sighting.round = pass.first;
+    sighting.face = pass.second;
+    if (2 * read >= std::ssize(arc.sightings)) sighting.slider = Angle();
+  }
+  if (usual.empty()) usual.emplace_back();
+  return usual;
+}
+
 std::optional<FurtherReadings> withMoreArc(const GapModel& model, Measurement more) {
   constexpr double enough = 150, whole = 160;  // degrees
   constexpr int points = 17;
   bool added = false;
   for (std::size_t arc = 0; arc < more.arcs.size(); ++arc) {
-    const auto& angles = model.fit->arcAngles[arc];
-    const auto [least, most] = std::ranges::minmax(angles);
+    const auto rows = std::span(model.fit->arcAngles[arc]).first(more.arcs[arc].sightings.size());
+    const auto [least, most] = std::ranges::minmax(rows);  // zeros, which follow the rows, have no place
     if ((most - least) * 180 / std::numbers::pi > enough) continue;
     int point = 0;
     for (const Sighting& sighting : more.arcs[arc].sightings) point = std::max(point, sighting.point);
+    const std::vector<Sighting> pass = usualSightings(more.arcs[arc]);
     for (int k = 0; k < points; ++k) {
       const double s = (90 - whole / 2 + whole * k / (points - 1)) * std::numbers::pi / 180;
       const double phi = arcAngleOf(s, more.arcs[arc].axisDeg);
       if (phi >= least && phi <= most) continue;
-      Sighting sighting;
-      sighting.point = ++point;
-      sightPerfectly(sighting, ZeroLine(more, more.arcs[arc]), model.fit->circleOf(arc), phi);
-      more.arcs[arc].sightings.push_back(sighting);
+      ++point;
+      for (Sighting sighting : pass) {
+        sighting.point = point;
+        sightPerfectly(sighting, ZeroLine(more, more.arcs[arc]), model.fit->circleOf(arc), phi);
+        if (sighting.slider) sighting.slider = Angle::fromRadians(s);
+        more.arcs[arc].sightings.push_back(sighting);
+      }
       added = true;
     }
   }

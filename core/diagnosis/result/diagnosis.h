@@ -247,6 +247,8 @@ struct Diagnosis {
   /// With SeveralCauses: all catalogue effects together explain the gap at least as well as any pattern, but
   /// these readings cannot separate them. `causes` then holds the certain causes.
   bool hasMoreCausesThanSeparable = false;
+  /// Ratio of the noise that remains beside the causes to the stated noise, ≥ 1.
+  double noise = 1;
   GapSize gap, after;
   Shrinkage shrink;
   std::vector<Cause> causes;          ///< the most certain first

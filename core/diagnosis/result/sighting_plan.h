@@ -61,6 +61,7 @@ struct SightingPlan {
   bool readsSlider = false;
   std::size_t rows = 1;  ///< rows of the whole planned session; a stated drift refers to its duration
   bool canTurnAxis = true;
+  double noise = 1;  ///< ratio of the expected to the stated noise, > 0
   SightingMinutes minutes = {};
 };
 

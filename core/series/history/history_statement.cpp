@@ -165,7 +165,7 @@ Statement congruenceTable(const DeviceHistory& device) {
                   {"to", Phrase::of("To"), Role::Word},
                   {"difference", Phrase::of("Δd changes by")},
                   {"p", "p"},
-                  {"device", Phrase::of("Device: T, m")},
+                  {"device", Phrase::of("Device: T, number")},
                   {"p_device", "p"},
                   {"change", "", Role::Word}},
       .rows = {},

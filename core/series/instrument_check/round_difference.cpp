@@ -33,10 +33,13 @@ std::pair<std::size_t, double> farthest(const std::vector<Angle>& values) {
   std::vector<double> sorted = degrees;
   const auto middle = sorted.begin() + static_cast<std::ptrdiff_t>((sorted.size() - 1) / 2);
   std::nth_element(sorted.begin(), middle, sorted.end());
+  const auto distance = [&](std::size_t i) {
+    return std::abs(wrapped(Angle::fromDegrees(degrees[i] - *middle)).degrees());
+  };
   std::size_t most = 0;
   for (std::size_t i = 1; i < degrees.size(); ++i)
-    if (std::abs(degrees[i] - *middle) > std::abs(degrees[most] - *middle)) most = i;
-  return {most, std::abs(degrees[most] - *middle)};
+    if (distance(i) > distance(most)) most = i;
+  return {most, distance(most)};
 }
 
 }  // namespace

@@ -67,5 +67,15 @@ TEST(Angle, WrappingKeepsWhatIsNoNumber) {
   EXPECT_TRUE(std::isnan(wrapped(Angle::fromRadians(std::numeric_limits<double>::infinity())).radians()));
 }
 
+TEST(MeanDirection, DoesNotDependOnWhereDirectionsAreWrapped) {
+  for (const double turned : {0.0, 90.0, 179.9, 180.0, 270.0}) {
+    MeanDirection mean;
+    for (const double degrees : {-0.3, 0.1, 0.2})
+      mean.add(wrapped(Angle::fromDegrees(degrees + turned), Angle::fromDegrees(180)));
+    EXPECT_NEAR(wrapped(mean.value() - Angle::fromDegrees(turned)).degrees(), 0, 1e-6) << turned;
+  }
+  EXPECT_EQ(MeanDirection().value().degrees(), 0);
+}
+
 }  // namespace
 }  // namespace alidade

@@ -255,7 +255,7 @@ void OrderPanel::setSearched(const SharedEvaluation& evaluation) {
 void OrderPanel::setGap(const SharedGap& gap) {
   m_gap = gap;
   const Guide* guide = guideThatLeads();
-  if (isVisible() && gapOfThis() && guide && !guide->protocol.isByWorth) requestOutlook();
+  if (isVisible() && gapOfThis() && guide) requestOutlook();
 }
 
 SharedGap OrderPanel::gapOfThis() const {
@@ -284,7 +284,7 @@ void OrderPanel::requestAhead() {
   m_outlook->clear();
   if (measurement && m_uncertainty->value() > 0) {
     m_ahead->setEnabled(false);
-    return m_job.request(m_evaluation, nullptr, m_uncertainty->value());
+    return m_job.request(m_evaluation, gapOfThis(), m_uncertainty->value());
   }
   m_job.cancel();
   m_ahead->setStatement(std::nullopt);

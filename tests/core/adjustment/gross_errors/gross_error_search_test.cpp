@@ -13,6 +13,7 @@
 namespace alidade::test {
 namespace {
 
+using testing::ElementsAre;
 using ::testing::IsEmpty;
 using enum ReadingKind;
 
@@ -50,6 +51,24 @@ TEST(GrossErrorSearch, FindsTheGrossErrorsOfTheRayTracer) {
     // Zenith readings increase downwards, reduced ones upwards; all three are in face 1.
     const double size = found.size.arcseconds() * (found.cell.kind == Horizontal ? 1 : -1);
     EXPECT_NEAR(size, grossError.at(found.cell.kind == Horizontal ? 4 : 5), 4 * found.sigma.arcseconds());
+  }
+}
+
+// A slider reading of the opposite index is half a turn off, which a fit may find in either direction. In the
+// middle of the arc, at 90°, a vertical reading of the opposite place would explain it as well.
+TEST(GrossErrorSearch, FindsASliderReadHalfATurnWrong) {
+  for (const unsigned row : {1U, 2U, 3U, 4U, 5U, 6U, 10U, 11U, 12U, 13U, 14U, 15U}) {
+    Measurement measurement = noisyMeasurement(row);
+    measurement.sigmaSlider = Angle::fromArcseconds(5);
+    const std::vector<double> places = spread(17, 160);
+    for (std::size_t i = 0; i < places.size(); ++i) {
+      measurement.arcs[0].sightings[i].slider = Angle::fromRadians(places[i]);
+      measurement.arcs[1].sightings[i].slider = Angle::fromRadians(places[places.size() - 1 - i]);
+    }
+    Sighting& wrong = measurement.arcs[0].sightings[row];
+    wrong.slider = *wrong.slider + Angle::fromDegrees(180);
+    const GrossErrorSearch search = searchGrossErrors(measurement);
+    EXPECT_THAT(cellsOf(search), ElementsAre(ReadingRef{0, row, ReadingKind::Slider})) << row;
   }
 }
 

@@ -90,6 +90,8 @@ TEST(JointProblem, PerfectReadingsLeaveNothing) {
       if (unknown == Unknown{.kind = Unknown::Kind::HorizontalZero, .arc = 1}) value = horizontal.radians();
       if (unknown == Unknown{.kind = Unknown::Kind::VerticalZero, .arc = 1}) value = vertical.radians();
     }
+    for (std::size_t i = 0; i < problem.estimated().size(); ++i)
+      if (problem.estimated()[i].kind == Unknown::Kind::SliderZero) state.unknowns[static_cast<Index>(i)] = 0;
     for (std::size_t k = 0; k < angles.size(); ++k) {
       EXPECT_NEAR(std::remainder(state.arcAngles[static_cast<Index>(k)] - angles[k], 2 * std::numbers::pi), 0,
                   1e-12);

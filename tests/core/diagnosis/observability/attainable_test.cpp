@@ -83,6 +83,24 @@ TEST(Attainable, OfAKnownEffectIsWhatACertificateBrings) {
   }
 }
 
+// More of a short arc brings the U of the whole arc, wherever the centre lies: the zero line through it has
+// no place on the arc. The whole arc is a little longer than the protocol's: 10 %.
+TEST(Attainable, OfMoreArcIsWhatTheWholeArcHas) {
+  for (const auto& [x, height] : {std::pair(0.4, 1.2), std::pair(0.4, -1.2), std::pair(8.0, 0.05)}) {
+    Truth truth = drawTruth(3);
+    truth.centreX = x;
+    truth.axisHeight = height;
+    const auto by = [&](const Protocol& protocol) {
+      return attainableBy(*examine(*simulateWithoutNoise(protocol, truth, 3)).measurement);
+    };
+    Protocol brief = *protocolByName("full");
+    const double whole = by(brief)[0].expanded;
+    brief.points = 9;
+    brief.first = Angle::fromDegrees(50);
+    EXPECT_NEAR(expandedWith(by(brief), {Measure::MoreOfTheArc}) / whole, 1, 0.1) << x << ' ' << height;
+  }
+}
+
 TEST(Attainable, OffersWhatIsWorthItTheLeastFirst) {
   for (const char* plan : {"paper", "paper-slider", "two-face", "full", "again"}) {
     const auto list = attainableBy(cleanBy(plan));
