@@ -152,7 +152,7 @@ class ArcApart {
     m_visits = visitsOf(m_arc);
     m_feet.reserve(m_visits.size());
     m_sliders.reserve(m_visits.size());
-    const std::size_t step = 1 + m_visits.size() / 64;  // so many give the start of the zero well enough
+    const std::size_t step = 1 + m_visits.size() / 8;  // some eight give the start well enough
     MeanDirection zero;
     for (std::size_t v = 0; v < m_visits.size(); ++v) {
       const Visit& visit = m_visits[v];

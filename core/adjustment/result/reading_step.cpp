@@ -28,8 +28,9 @@ std::optional<Angle> readingStep(const std::vector<Angle>& readings, Angle fines
   const double* const step = std::ranges::find_if(usualSteps, divides);
   if (step == std::end(usualSteps) || *step <= finest.arcseconds()) return std::nullopt;
   std::ranges::sort(differences);
-  const auto same = std::ranges::unique(differences, [](double a, double b) { return b - a < rounding; });
-  if (differences.size() - same.size() < fewest) return std::nullopt;
+  const auto end = std::unique(differences.begin(), differences.end(),
+                               [](double a, double b) { return b - a < rounding; });
+  if (static_cast<std::size_t>(end - differences.begin()) < fewest) return std::nullopt;
   return Angle::fromArcseconds(*step);
 }
 
