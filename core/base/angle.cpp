@@ -16,6 +16,11 @@ Angle wrapped(Angle angle, Angle centre) {
   return Angle::fromRadians(value);
 }
 
+Angle wrappedAsWritten(Angle angle, int decimals, Angle centre) {
+  const double perArcsecond = std::pow(10.0, decimals);
+  return wrapped(Angle::fromArcseconds(std::round(angle.arcseconds() * perArcsecond) / perArcsecond), centre);
+}
+
 void MeanDirection::add(Angle direction) {
   m_cosine += std::cos(direction.radians());
   m_sine += std::sin(direction.radians());

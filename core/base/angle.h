@@ -36,6 +36,10 @@ class Angle {
 /// function wraps angles. Use the centre 0° for differences, 180° for circle readings.
 Angle wrapped(Angle angle, Angle centre = {});
 
+/// Rounds to `decimals` (0…9) places of arcseconds, as `formatDms` does, then wraps: about 180°,
+/// 359°59'59.9999" becomes 0 and is not written as 360°.
+Angle wrappedAsWritten(Angle angle, int decimals, Angle centre);
+
 /// The mean of directions. Unlike a mean of numbers it does not depend on where they are wrapped.
 class MeanDirection {
  public:

@@ -25,10 +25,9 @@ std::optional<Angle> radiansOf(const std::string& text) {
   return Angle::fromRadians(*number);
 }
 
-/// Rounds to 0.001″, as `circleText` does, and wraps to [0°, 360°): 359°59'59.9999" becomes 0.
 Angle asWritten(Angle angle) {
-  const Angle half = Angle::fromDegrees(180);
-  return wrapped(Angle::fromArcseconds(std::round(angle.arcseconds() * 1000) / 1000), half);
+  constexpr int decimals = 3;  // as `circleText`
+  return wrappedAsWritten(angle, decimals, Angle::fromDegrees(180));
 }
 
 /// Did the instrument answer that it does not know the question?

@@ -1,6 +1,5 @@
 #include "core/exchange/zero_means.h"
 
-#include <cmath>
 #include <optional>
 
 #include "core/base/angle_text.h"
@@ -12,7 +11,6 @@ namespace {
 
 /// Decimals of arcseconds in a mean of several sightings: finer than any circle's last digit.
 constexpr int meanDecimals = 2;
-constexpr double perArcsecond = 100;
 
 /// The mean in face 1; absent if one of the angles cannot be read.
 std::optional<FaceOneReading> meanOf(const std::vector<const RecordedSighting*>& sightings,
@@ -34,10 +32,8 @@ std::optional<FaceOneReading> meanOf(const std::vector<const RecordedSighting*>&
   return FaceOneReading{sum.horizontal * share, sum.vertical * share};
 }
 
-/// `angle` in the turn about `centre`, also after rounding.
 std::string written(Angle angle, Angle centre) {
-  const Angle rounded = Angle::fromArcseconds(std::round(angle.arcseconds() * perArcsecond) / perArcsecond);
-  return formatDms(wrapped(rounded, centre), meanDecimals, AngleSigns::Typewriter);
+  return formatDms(wrappedAsWritten(angle, meanDecimals, centre), meanDecimals, AngleSigns::Typewriter);
 }
 
 }  // namespace

@@ -92,7 +92,8 @@ void markSliders(RobustStart& start, const ArcMeasurement& arc, const Points& po
   }
   if (rows.size() < fewestRows) return;
   std::vector<double> offsets;  // from the mean direction, since zeros near 180° lie on both sides of it
-  for (const Angle& one : zeros) offsets.push_back(wrapped(one - mean.value()).radians());
+  const Angle middle = mean.value();
+  for (const Angle& one : zeros) offsets.push_back(wrapped(one - middle).radians());
   const double zero = medianOf(offsets);
   std::vector<double> sizes;
   for (double& offset : offsets) {

@@ -186,8 +186,8 @@ JointState JointProblem::start(const std::vector<Circle>& circles) const {
     const PlanePoint<double> place = line.sightedPoint(m_visits[v].visit.mean.direction);
     state.arcAngles[static_cast<Index>(v)] = nearestArcAngle(circles[m_visits[v].arc], place);
   }
-  unwrap(state);
   eachArc(state, [&](std::size_t arc, std::span<double> arcAngles, Sliders sliders) {
+    unwrapAlongSlider(arcAngles, sliders, m_measurement.arcs[arc].axisDeg);
     const Index zero = m_slotMaps[arc][static_cast<std::size_t>(Unknown::Kind::SliderZero)];
     if (zero >= 0) state.unknowns[zero] = sliderZero(arcAngles, sliders, m_measurement.arcs[arc].axisDeg);
   });
@@ -204,7 +204,9 @@ JointState JointProblem::stateOf(const JointFit& fit) const {
   for (std::size_t v = 0; v < m_visits.size(); ++v)
     state.arcAngles[static_cast<Index>(v)] =
         fit.arcAngles[m_visits[v].arc][m_visits[v].visit.sightings.front()];
-  unwrap(state);
+  eachArc(state, [&](std::size_t arc, std::span<double> arcAngles, Sliders sliders) {
+    unwrapAlongSlider(arcAngles, sliders, m_measurement.arcs[arc].axisDeg);
+  });
   return state;
 }
 
@@ -216,12 +218,6 @@ void JointProblem::eachArc(JointState& state, const TakeArc& take) const {
     take(m_visits[first].arc, std::span(state.arcAngles.data() + first, end - first),
          std::span(sliders).subspan(first, end - first));
   }
-}
-
-void JointProblem::unwrap(JointState& state) const {
-  eachArc(state, [&](std::size_t arc, std::span<double> arcAngles, Sliders sliders) {
-    unwrapAlongSlider(arcAngles, sliders, m_measurement.arcs[arc].axisDeg);
-  });
 }
 
 ReadingRef JointProblem::cellOf(std::size_t visitIndex, Index row) const {

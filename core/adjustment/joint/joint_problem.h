@@ -120,8 +120,6 @@ class JointProblem {
   using Sliders = std::span<const Sighting* const>;
   using TakeArc = std::function<void(std::size_t arc, std::span<double> arcAngles, Sliders sliders)>;
   void eachArc(JointState& state, const TakeArc& take) const;
-  /// Unwraps the arc angles, each arc separately.
-  void unwrap(JointState& state) const;
   template <typename Function>
   auto withJets(const Function& function) const;
   template <typename Jets>

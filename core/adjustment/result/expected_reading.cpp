@@ -24,18 +24,8 @@ constexpr double centreShare =
 constexpr double scaleOff = 0.5, scaleUnknown = 3;  // degrees: possible error of a slider's scale
 constexpr double stepShare = 0.5;  // of the step from point to point: possible error of an interpolated place
 
-/// The slider's coordinate at a point: s, rad, as the mean of directions.
-struct PlaceOfPoint {
-  double cosines = 0, sines = 0;
-
-  void add(double s) {
-    cosines += std::cos(s);
-    sines += std::sin(s);
-  }
-  double s() const { return std::atan2(sines, cosines); }
-};
-
-using Places = std::map<int, PlaceOfPoint>;
+/// The slider's coordinate s at each point.
+using Places = std::map<int, MeanDirection>;
 
 /// s = first + step · point.
 struct Line {
@@ -51,16 +41,17 @@ std::optional<Line> lineThrough(const Places& places) {
   double meanPoint = 0, meanS = 0;
   for (const auto& [point, place] : places) {
     meanPoint += point / count;
-    meanS += place.s() / count;
+    meanS += place.value().radians() / count;
   }
   double products = 0, squares = 0;
   for (const auto& [point, place] : places) {
-    products += (point - meanPoint) * (place.s() - meanS);
+    products += (point - meanPoint) * (place.value().radians() - meanS);
     squares += (point - meanPoint) * (point - meanPoint);
   }
   const Line line{meanS - products / squares * meanPoint, products / squares};
   const bool isEven = std::ranges::all_of(places, [&](const auto& known) {
-    return std::abs(known.second.s() - line.first - line.step * known.first) < evenly * std::abs(line.step);
+    return std::abs(known.second.value().radians() - line.first - line.step * known.first) <
+           evenly * std::abs(line.step);
   });
   return isEven ? std::optional(line) : std::nullopt;
 }
@@ -83,11 +74,11 @@ class Expectations {
     for (const ArcMeasurement& arc : measurement.arcs)
       for (const Sighting& sighting : arc.sightings) {
         const double s = coordinateOf(arc, sighting);
-        m_places[sighting.point].add(s);
+        m_places[sighting.point].add(Angle::fromRadians(s));
         const auto planned = nominal.find({arc.position, sighting.point});
         if (planned == nominal.end()) continue;
-        m_offsets[keyOf(planned->second)].add(s - planned->second);
-        m_offset.add(s - planned->second);
+        m_offsets[keyOf(planned->second)].add(Angle::fromRadians(s - planned->second));
+        m_offset.add(Angle::fromRadians(s - planned->second));
       }
     m_line = lineThrough(m_places);
   }
@@ -119,7 +110,7 @@ class Expectations {
     if (const auto planned = m_nominal.find({arc.position, wanted.point}); planned != m_nominal.end())
       return nominalPlace(planned->second);
     if (const auto known = m_places.find(wanted.point); known != m_places.end())
-      return Coordinate{known->second.s(), samePoint};
+      return Coordinate{known->second.value().radians(), samePoint};
     if (!m_line || !isNear(m_places, wanted.point)) return {};
     const double atTheodolite = std::abs(m_line->step) * m_measurement.nominalRadius / m_measurement.distance;
     return Coordinate{m_line->first + m_line->step * wanted.point,
@@ -131,11 +122,12 @@ class Expectations {
 
   Coordinate nominalPlace(double s) const {
     if (const auto known = m_offsets.find(keyOf(s)); known != m_offsets.end())
-      return {s + known->second.s(), samePoint};
+      return {s + known->second.value().radians(), samePoint};
     const double off = m_offsets.empty() ? scaleUnknown : scaleOff;
     const double atTheodolite =
         off * std::numbers::pi / 180 * m_measurement.nominalRadius / m_measurement.distance;
-    return {m_offsets.empty() ? s : s + m_offset.s(), samePoint + Angle::fromRadians(atTheodolite)};
+    return {m_offsets.empty() ? s : s + m_offset.value().radians(),
+            samePoint + Angle::fromRadians(atTheodolite)};
   }
 
   ExpectedReading reading(const ArcMeasurement& arc, const SightingToCome& sighting,
@@ -162,8 +154,8 @@ class Expectations {
   const SessionFit& m_fit;
   const NominalPlaces& m_nominal;
   Places m_places;
-  std::map<long long, PlaceOfPoint> m_offsets;  ///< mean offset from each nominal coordinate
-  PlaceOfPoint m_offset;                        ///< mean over all coordinates
+  std::map<long long, MeanDirection> m_offsets;  ///< mean offset from each nominal coordinate
+  MeanDirection m_offset;                        ///< mean over all coordinates
   std::optional<Line> m_line;
 };
 

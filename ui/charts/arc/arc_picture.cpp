@@ -29,17 +29,16 @@ DrawnSighting drawnSighting(const Measurement& measurement, const ArcMeasurement
 /// The fitted arc of one axis over the arc angles of all its sightings, unwrapped around the mean angle.
 /// `first`: the first arc of this axis; all arcs of an axis share one circle.
 DrawnArc drawnArc(const SessionFit& fit, const ArcFit& first) {
-  double sumCos = 0, sumSin = 0;
+  MeanDirection mean;
   std::vector<double> angles;
   for (const ArcFit& arc : fit.arcs) {
     if (arc.axisDeg != first.axisDeg) continue;
     for (const SightingResidual& residual : arc.residuals) {
       angles.push_back(residual.arcAngle);
-      sumCos += std::cos(residual.arcAngle);
-      sumSin += std::sin(residual.arcAngle);
+      mean.add(Angle::fromRadians(residual.arcAngle));
     }
   }
-  const Angle middle = Angle::fromRadians(std::atan2(sumSin, sumCos));
+  const Angle middle = mean.value();
   DrawnArc drawn{first.axisDeg, first.circle, middle.radians(), middle.radians()};
   for (const double arcAngle : angles) {
     const double angle = wrapped(Angle::fromRadians(arcAngle), middle).radians();
