@@ -36,8 +36,7 @@ std::vector<ReadIn> inTheOrderTaken(const Measurement& measurement, const Sessio
 
 /// s of the adjusted target, degrees in [−90, 270).
 double sliderDegrees(const ArcFit& arc, std::size_t sighting) {
-  const Angle s = Angle::fromRadians(sliderCoordinateOf(arc.residuals[sighting].arcAngle, arc.axisDeg));
-  return wrapped(s, Angle::fromDegrees(90)).degrees();
+  return unwrappedSliderCoordinate(arc.residuals[sighting].arcAngle, arc.axisDeg).degrees();
 }
 
 }  // namespace

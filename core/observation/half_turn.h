@@ -1,5 +1,7 @@
 #pragma once
 
+#include "core/base/angle.h"
+
 namespace alidade {
 
 // The guideway's two positions differ by half a turn about the x direction. Coordinates fixed to the guideway
@@ -21,6 +23,17 @@ constexpr T sliderCoordinateOf(const T& phi, int axisDeg) {
 template <typename T>
 constexpr T arcAngleOf(const T& s, int axisDeg) {
   return sliderCoordinateOf(s, axisDeg);
+}
+
+/// s in [−90°, 270°) at `phi`, rad. The seam lies opposite the middle of the guideway, so that places to both
+/// sides of s = 180° are neighbours.
+inline Angle unwrappedSliderCoordinate(double phi, int axisDeg) {
+  return wrapped(Angle::fromRadians(sliderCoordinateOf(phi, axisDeg)), Angle::fromDegrees(90));
+}
+
+/// Changes φ, rad, by whole turns so that s lies in [−90°, 270°).
+inline double unwrappedArcAngle(double phi, int axisDeg) {
+  return arcAngleOf(unwrappedSliderCoordinate(phi, axisDeg).radians(), axisDeg);
 }
 
 /// ∂Δd/∂Δy of a position, from Δd = (Δy(0°) − Δy(180°))/2: 1/2 at axis 0°, −1/2 at 180°.

@@ -143,7 +143,8 @@ class ArcApart {
  private:
   std::vector<double> unwrappedArcAngles() const {
     std::vector<double> arcAngles(m_visits.size());
-    for (std::size_t v = 0; v < m_visits.size(); ++v) arcAngles[v] = m_feet.arcAngle(v);
+    for (std::size_t v = 0; v < m_visits.size(); ++v)
+      arcAngles[v] = unwrappedArcAngle(m_feet.arcAngle(v), m_arc.axisDeg);
     if (m_hasSlider) unwrapAlongSlider(arcAngles, m_sliders, m_arc.axisDeg);
     return arcAngles;
   }
@@ -152,7 +153,7 @@ class ArcApart {
     m_visits = visitsOf(m_arc);
     m_feet.reserve(m_visits.size());
     m_sliders.reserve(m_visits.size());
-    const std::size_t step = 1 + m_visits.size() / 8;  // some eight give the start well enough
+    const std::size_t step = 1 + m_visits.size() / 8;  // about eight visits give the start well enough
     MeanDirection zero;
     for (std::size_t v = 0; v < m_visits.size(); ++v) {
       const Visit& visit = m_visits[v];

@@ -108,9 +108,9 @@ std::vector<std::vector<double>> anglesOfSightings(const Measurement& measuremen
   for (const ArcMeasurement& arc : measurement.arcs) angles.emplace_back(arc.sightings.size());
   for (std::size_t v = 0; v < problem.visits().size(); ++v) {
     const auto& [arc, visit, slider] = problem.visits()[v];
-    const double phi = state.arcAngles[static_cast<Index>(v)];
-    for (const std::size_t i : visit.sightings)
-      angles[arc][i] = slider ? phi : wrapped(Angle::fromRadians(phi)).radians();
+    double phi = state.arcAngles[static_cast<Index>(v)];
+    if (!slider) phi = unwrappedArcAngle(phi, measurement.arcs[arc].axisDeg);
+    for (const std::size_t i : visit.sightings) angles[arc][i] = phi;
   }
   return angles;
 }

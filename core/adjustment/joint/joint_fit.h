@@ -141,7 +141,7 @@ struct JointFit {
 
   /// For each reading of a pointing zero that is an observation: ∂reading/∂unknowns, divided by its σ.
   std::vector<std::vector<double>> zeroRows = {};
-  /// φ of each sighting of each arc, rad in (−π, π]; unwrapped if the slider is read (`unwrapAlongSlider`).
+  /// φ of each sighting of each arc, rad: `unwrappedArcAngle`, or `unwrapAlongSlider` if the slider is read.
   std::vector<std::vector<double>> arcAngles;
   std::vector<AdjustedReading> readings;     ///< visit by visit
   std::vector<ArcResidualSum> residualSums;  ///< of each arc of the measurement

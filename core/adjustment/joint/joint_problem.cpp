@@ -12,6 +12,7 @@
 #include "core/adjustment/joint/sighted_zeros.h"
 #include "core/adjustment/numerics/arc_angle_elimination.h"
 #include "core/adjustment/numerics/arc_angle_step.h"
+#include "core/observation/half_turn.h"
 #include "core/observation/slider_turns.h"
 
 namespace alidade {
@@ -182,9 +183,11 @@ JointState JointProblem::start(const std::vector<Circle>& circles) const {
       if (unknown.kind == Error && unknown.term == term.term) value = term.start - term.priorValue;
   }
   for (std::size_t v = 0; v < m_visits.size(); ++v) {
-    const ZeroLine line(m_measurement, m_measurement.arcs[m_visits[v].arc]);
-    const PlanePoint<double> place = line.sightedPoint(m_visits[v].visit.mean.direction);
-    state.arcAngles[static_cast<Index>(v)] = nearestArcAngle(circles[m_visits[v].arc], place);
+    const ArcMeasurement& arc = m_measurement.arcs[m_visits[v].arc];
+    const PlanePoint<double> place =
+        ZeroLine(m_measurement, arc).sightedPoint(m_visits[v].visit.mean.direction);
+    state.arcAngles[static_cast<Index>(v)] =
+        unwrappedArcAngle(nearestArcAngle(circles[m_visits[v].arc], place), arc.axisDeg);
   }
   eachArc(state, [&](std::size_t arc, std::span<double> arcAngles, Sliders sliders) {
     unwrapAlongSlider(arcAngles, sliders, m_measurement.arcs[arc].axisDeg);

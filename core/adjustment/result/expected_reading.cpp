@@ -32,26 +32,30 @@ struct Line {
   double first = 0, step = 0;
 };
 
-/// The line through places that are evenly spaced by point number.
+/// The line through places that are evenly spaced by point number. A place is at most half a turn from the
+/// one before.
 std::optional<Line> lineThrough(const Places& places) {
   constexpr std::size_t fewest = 3;
   constexpr double evenly = 0.2;  // of a step
   if (places.size() < fewest) return {};
   const auto count = static_cast<double>(places.size());
+  std::map<int, double> coordinates;
+  Angle last = places.begin()->second.value();
   double meanPoint = 0, meanS = 0;
   for (const auto& [point, place] : places) {
+    last = wrapped(place.value(), last);
+    coordinates[point] = last.radians();
     meanPoint += point / count;
-    meanS += place.value().radians() / count;
+    meanS += last.radians() / count;
   }
   double products = 0, squares = 0;
-  for (const auto& [point, place] : places) {
-    products += (point - meanPoint) * (place.value().radians() - meanS);
+  for (const auto& [point, s] : coordinates) {
+    products += (point - meanPoint) * (s - meanS);
     squares += (point - meanPoint) * (point - meanPoint);
   }
   const Line line{meanS - products / squares * meanPoint, products / squares};
-  const bool isEven = std::ranges::all_of(places, [&](const auto& known) {
-    return std::abs(known.second.value().radians() - line.first - line.step * known.first) <
-           evenly * std::abs(line.step);
+  const bool isEven = std::ranges::all_of(coordinates, [&](const auto& known) {
+    return std::abs(known.second - line.first - line.step * known.first) < evenly * std::abs(line.step);
   });
   return isEven ? std::optional(line) : std::nullopt;
 }

@@ -7,6 +7,7 @@
 
 #include "core/diagnosis/forms/form_families.h"
 #include "core/diagnosis/forms/form_readings.h"
+#include "core/observation/half_turn.h"
 #include "core/observation/zero_line.h"
 
 namespace alidade {
@@ -88,7 +89,10 @@ JointFit arcAnglesOn(const std::vector<Circle>& circles, const Measurement& meas
     const ZeroLine line(measurement, arc);
     std::vector<double>& angles = fit.arcAngles.emplace_back();
     for (const Sighting& sighting : arc.sightings)
-      angles.push_back(sighting.isZero ? 0 : nearestArcAngle(circles[i], line.sightedPoint(sighting)));
+      angles.push_back(
+          sighting.isZero
+              ? 0
+              : unwrappedArcAngle(nearestArcAngle(circles[i], line.sightedPoint(sighting)), arc.axisDeg));
   }
   return fit;
 }

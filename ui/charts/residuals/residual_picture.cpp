@@ -11,12 +11,6 @@
 namespace alidade::ui {
 namespace {
 
-/// s of an arc angle, degrees in [−90, 270): the guideway's half circle without a seam.
-double sliderDegrees(double arcAngle, int axisDeg) {
-  const Angle angle = Angle::fromRadians(sliderCoordinateOf(arcAngle, axisDeg));
-  return wrapped(angle, Angle::fromDegrees(90)).degrees();
-}
-
 const Sighting* sightingOf(const ArcMeasurement& arc, std::size_t index, std::size_t row) {
   if (index < arc.sightings.size() && arc.sightings[index].row == row) return &arc.sightings[index];
   const auto found = std::find_if(arc.sightings.begin(), arc.sightings.end(),
@@ -35,7 +29,7 @@ DrawnResidual drawnResidual(const ArcMeasurement& arc, const Sighting& sighting,
           .order = sighting.sequence + 1,
           .elevation = sighting.e.degrees(),
           .azimuth = sighting.a.degrees(),
-          .slider = sliderDegrees(arcAngle, arc.axisDeg)};
+          .slider = unwrappedSliderCoordinate(arcAngle, arc.axisDeg).degrees()};
 }
 
 void addArc(ResidualPicture& picture, const ArcMeasurement& arc, const ArcFit& fit) {

@@ -54,5 +54,22 @@ TEST_P(LongArc, HasItsAnglesWithoutASeam) {
   }
 }
 
+// Without slider readings, too, places to both sides of 180° are neighbours.
+TEST(LongArcWithoutSlider, HasNoSeamWithinTheGuideway) {
+  const Measurement read = *examine(*simulateWithoutNoise(upTo(200), drawTruth(5), 5)).measurement;
+  for (const bool isGeneral : {false, true}) {
+    Measurement measurement = read;
+    if (isGeneral) measurement.effects = {"collimation"};
+    for (ArcMeasurement& arc : measurement.arcs)
+      for (Sighting& sighting : arc.sightings) sighting.slider.reset();
+    const SessionFit fit = fitSession(measurement);
+    for (std::size_t arc = 0; arc < measurement.arcs.size(); ++arc)
+      for (std::size_t i = 0; i < measurement.arcs[arc].sightings.size(); ++i) {
+        const double s = sliderCoordinateOf(fit.joint.arcAngles[arc][i], measurement.arcs[arc].axisDeg);
+        EXPECT_NEAR(s, read.arcs[arc].sightings[i].slider->radians(), 1e-6);
+      }
+  }
+}
+
 }  // namespace
 }  // namespace alidade

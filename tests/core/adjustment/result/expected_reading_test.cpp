@@ -6,6 +6,8 @@
 #include <cmath>
 
 #include "core/base/angle_text.h"
+#include "core/simulation/protocol.h"
+#include "core/simulation/simulate.h"
 #include "tests/support/trials.h"
 
 namespace alidade {
@@ -34,8 +36,8 @@ Angle missOf(const ExpectedReading& expected, const Reading& read) {
       std::max(miss(expected.horizontal, read.horizontal), miss(expected.vertical, read.vertical)));
 }
 
-TEST(ExpectedReading, IsNearEveryReadingOfThePaperFromTheFourthOn) {
-  const Session session = test::paperSession();
+/// `step`: the smallest from point to point. A reading one place off is detected.
+void expectEveryReadingFromTheFourthOn(const Session& session, Angle step) {
   for (std::size_t position = 0; position < 2; ++position)
     for (std::size_t row = 0; row < 17; ++row) {
       const auto expected = beforeRow(session, position, row);
@@ -43,9 +45,20 @@ TEST(ExpectedReading, IsNearEveryReadingOfThePaperFromTheFourthOn) {
       if (!expected) continue;
       const Angle miss = missOf(*expected, session.positions[position].readings[row]);
       EXPECT_LT(miss, expected->tolerance) << position << " " << row;
-      // 1.3° is the smallest step from point to point: a reading one place off is detected.
-      EXPECT_LT(expected->tolerance.degrees(), 1.3);
+      EXPECT_LT(expected->tolerance, step);
     }
+}
+
+TEST(ExpectedReading, IsNearEveryReadingOfThePaperFromTheFourthOn) {
+  expectEveryReadingFromTheFourthOn(test::paperSession(), Angle::fromDegrees(1.3));
+}
+
+// 17 places from 140° to 220°, 5° of the slider apart, which is at least 1° at the theodolite.
+TEST(ExpectedReading, IsNearEveryReadingAcrossHalfATurn) {
+  Protocol protocol = *protocolByName("paper");
+  protocol.first = Angle::fromDegrees(140);
+  protocol.step = Angle::fromDegrees(5);
+  expectEveryReadingFromTheFourthOn(*simulate(protocol, drawTruth(3), 3), Angle::fromDegrees(1));
 }
 
 /// Readings of a session simulated by another program with known truth are never called significant, except
