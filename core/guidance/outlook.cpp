@@ -158,9 +158,16 @@ std::optional<ExpandedPair> withoutNoise(const ExpandedPair& all, const std::opt
   return none;
 }
 
+/// The rows of `measurement` around the fitted radius: a known radius that contradicts the readings would be
+/// noise in a plan.
+Measurement withFittedRadius(Measurement measurement, const SessionFit& fit) {
+  if (!fit.arcs.empty()) measurement.nominalRadius = fit.arcs.front().circle.radius;
+  return measurement;
+}
+
 /// The existing rows, with readings free of errors.
 Measurement asThere(const Measurement& measurement, const SessionFit& fit) {
-  Measurement plan = measurement;
+  Measurement plan = withFittedRadius(measurement, fit);
   for (ArcMeasurement& arc : plan.arcs) placeOnArc(arc, plan, fit, false);
   return plan;
 }
@@ -195,7 +202,7 @@ std::optional<int> Outlook::roundsNeeded() const {
 std::optional<Measurement> carriedOut(const Measurement& measurement, const SessionFit& fit,
                                       const SightingProtocol& protocol, const ProtocolProgress& progress,
                                       int rounds) {
-  auto arcs = arcsOf(measurement, protocol, progress);
+  auto arcs = arcsOf(withFittedRadius(measurement, fit), protocol, progress);
   if (!arcs) return std::nullopt;
   Measurement& plan = arcs->measurement;
   std::vector<PlannedSighting> planned;

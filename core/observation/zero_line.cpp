@@ -20,8 +20,11 @@ PlanePoint<double> ZeroLine::sightedPoint(const Direction<double>& reduced) cons
 }
 
 Direction<double> ZeroLine::observe(const PlanePoint<double>& point) const {
-  const SpacePoint<double> target =
-      roomFromZeroLine(SpacePoint<double>{point.x, point.y, -m_distance}, m_distance, m_elevation, m_plane);
+  return observeInSpace(SpacePoint<double>{point.x, point.y, -m_distance});
+}
+
+Direction<double> ZeroLine::observeInSpace(const SpacePoint<double>& point) const {
+  const SpacePoint<double> target = roomFromZeroLine(point, m_distance, m_elevation, m_plane);
   Direction<double> seen = alidade::observe(PlanePoint<double>{target.x, target.y}, -target.z, m_relation);
   seen.e -= m_elevation;
   return seen;

@@ -53,6 +53,8 @@ class ZeroLine {
   }
   /// The reduced reading of a perfect theodolite to a point of the arc plane.
   Direction<double> observe(const PlanePoint<double>& point) const;
+  /// The same for a point in space, mm relative to the zero line; z = −L in the arc plane.
+  Direction<double> observeInSpace(const SpacePoint<double>& point) const;
 
   /// Converts a reduced reading for the kernels of a single arc, which assume a vertical plane and a level
   /// zero: the result counts from the horizon. Exact for a vertical plane. A reading of a square plane is

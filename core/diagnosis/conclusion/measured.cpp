@@ -119,7 +119,7 @@ class Measured {
     m_model = answer.kind == Answer::Kind::Several || m_whole.shaped
                   ? modelWith(inquiry.base, rest(), inquiry.candidates, inquiry.leftover)
                   : answer.after;
-    m_scales = averageScales();
+    m_scales = averageScales(m_weighed.of(m_whole));
     if (isLarge(*inquiry.base.measurement)) return;
     if (m_whole.shaped)
       m_model.measurement = std::make_shared<const Measurement>(
@@ -143,15 +143,17 @@ class Measured {
       measured.across = across->length;
       measured.distance = distanceOf(estimate, *across);
     }
-    return MeasuredWithEffects{std::move(measured), m_scales};
+    return MeasuredWithEffects{std::move(measured),
+                               m_averaged.empty() ? m_scales : averageScales(m_averaged)};
   }
 
  private:
   const Inquiry& m_inquiry;
   const Answer& m_answer;
   WeighedExplanations m_weighed;
-  Explanation m_whole;  ///< the answer's explanation, with its pattern
-  EffectScales m_scales;
+  Explanation m_whole;    ///< the answer's explanation, with its pattern
+  EffectScales m_scales;  ///< average over the scales of `m_whole`
+  std::vector<WeighedExplanation> m_averaged;
   GapModel m_model, m_every, m_fit;  ///< without effects; with all at plausible size; with all at `m_scales`
 
   /// The explanation without its pattern.
@@ -162,9 +164,8 @@ class Measured {
     return rest;
   }
 
-  /// The root mean square of all possible scales, weighted by their odds.
-  EffectScales averageScales() {
-    const std::vector<WeighedExplanation> weighed = m_weighed.of(m_whole);
+  /// The root mean square of the scales, weighted by the odds.
+  static EffectScales averageScales(const std::vector<WeighedExplanation>& weighed) {
     if (weighed.empty()) return {};
     const double most = std::ranges::max(weighed, {}, &WeighedExplanation::logOdds).logOdds;
     double all = 0, guideway = 0, instrument = 0, time = 0;
@@ -213,16 +214,12 @@ class Measured {
       own = widerBy(own, ofRest ? ofWhole->ofWeights - ofRest->ofWeights : 0);
     }
     constexpr double least = 1e-4;
-    std::vector<WeighedExplanation> all;
-    double most = impossible;
     for (const Explanation& explanation : explanations())
-      for (WeighedExplanation& one : m_weighed.of(explanation)) {
-        most = std::max(most, one.logOdds);
-        all.push_back(std::move(one));
-      }
-    if (all.empty()) return own;
+      std::ranges::move(m_weighed.of(explanation), std::back_inserter(m_averaged));
+    if (m_averaged.empty()) return own;
+    const double most = std::ranges::max(m_averaged, {}, &WeighedExplanation::logOdds).logOdds;
     std::vector<Possible> possible;
-    for (const WeighedExplanation& one : all)
+    for (const WeighedExplanation& one : m_averaged)
       if (const double odds = std::exp(one.logOdds - most); odds > least)
         possible.push_back({odds, one.value - ofWhole->value, one.variance - ofWhole->variance});
     return averagedOver(own, possible, m_inquiry.base.measurement->coverage);

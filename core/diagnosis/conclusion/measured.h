@@ -7,7 +7,8 @@
 
 namespace alidade {
 
-/// Δd, measured, averaged over all possible explanations, and the average scales of the plausible sizes.
+/// Δd, measured, averaged over all possible explanations, and the average scales of the plausible sizes
+/// over the same explanations.
 struct MeasuredWithEffects {
   MeasuredIntersection intersection;
   EffectScales scales;

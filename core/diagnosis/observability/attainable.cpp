@@ -18,7 +18,7 @@ namespace alidade {
 namespace {
 
 /// Returns the model of an error-free set of readings with every effect as an unknown. It excludes past
-/// jumps. Known sizes are those of the set, too, so that the fit starts at its minimum.
+/// jumps. The known radius and the known sizes are the set's own, so that the fit starts at its minimum.
 GapModel plannedModel(const GapModel& model, const Measurement& set, double noise,
                       const EffectScales& scales) {
   GapModel planned;
@@ -29,11 +29,8 @@ GapModel plannedModel(const GapModel& model, const Measurement& set, double nois
   measurement.nominalRadius = planned.starts.front().radius;
   for (KnownNumber& known : measurement.known) known.value = 0;
   planned.measurement = std::make_shared<const Measurement>(std::move(measurement));
-  for (EstimatedTerm term : model.options.terms) {
-    if (isOfJump(term.term)) continue;
-    term.start = term.priorValue = 0;
-    planned.options.terms.push_back(term);
-  }
+  for (const EstimatedTerm& term : model.options.terms)
+    if (!isOfJump(term.term)) planned.options.terms.push_back(asPlanned(term, model));
   return withEveryEffect(std::move(planned), scales);
 }
 

@@ -10,7 +10,9 @@
 #include <vector>
 
 #include "core/adjustment/joint/sighted_zeros.h"
+#include "core/effects/catalogue.h"
 #include "core/observation/half_turn.h"
+#include "core/observation/observe.h"
 #include "core/observation/visits.h"
 #include "core/observation/zero_line.h"
 
@@ -21,6 +23,38 @@ namespace {
 double arcAngle(const GapModel& model, std::size_t arc, std::size_t sighting) {
   return model.fit->arcAngles[arc][sighting];
 }
+
+/// The fitted size of a term with a bent effect, in the unit of the term; 0 for any other term.
+double plannedSize(const GapModel& model, ErrorTerm term) {
+  const Effect* effect = effectOf(term, *model.measurement);  // null for the term of a jump
+  if (!effect || effect->response != Response::Bent) return 0;
+  return model.fit->values[model.fit->indexOf({.kind = Unknown::Kind::Error, .arc = 0, .term = term})];
+}
+
+/// Gives the sightings of a plan their readings: free of error, at places on the fitted circles, which the
+/// fitted bent effects displace.
+class PlannedReadings {
+ public:
+  explicit PlannedReadings(const GapModel& model) : m_model(model) {
+    for (const EstimatedTerm& term : model.options.terms)
+      if (const double size = plannedSize(model, term.term); size != 0) m_bends.set(term.term, size);
+  }
+
+  /// `arc`: index in the plan and in the model.
+  void sight(Sighting& sighting, const Measurement& plan, std::size_t arc, double phi) const {
+    const Circle circle = m_model.fit->circleOf(arc);
+    const ArcPose<double> pose{circle.x, circle.y, circle.radius, 0, 0, 0};
+    const ArcMeasurement& own = plan.arcs[arc];
+    const Direction<double> seen =
+        ZeroLine(plan, own).observeInSpace(targetAt(m_bends, pose, plan.distance, phi, own.axisDeg));
+    sighting.a = Angle::fromRadians(seen.a);
+    sighting.e = Angle::fromRadians(seen.e);
+  }
+
+ private:
+  const GapModel& m_model;
+  ErrorTerms<double> m_bends;
+};
 
 /// Numbers the rows consecutively in their current order.
 void renumber(Measurement& plan) {
@@ -115,10 +149,10 @@ std::optional<FurtherReadings> withSecondStandOff(const GapModel& model, const M
   constexpr double farther = 1.5;
   Measurement more = plan;
   more.distance *= farther;
+  const PlannedReadings planned(model);
   for (std::size_t arc = 0; arc < more.arcs.size(); ++arc)
     for (std::size_t i = 0; i < more.arcs[arc].sightings.size(); ++i)
-      sightPerfectly(more.arcs[arc].sightings[i], ZeroLine(more, more.arcs[arc]), model.fit->circleOf(arc),
-                     arcAngle(model, arc, i));
+      planned.sight(more.arcs[arc].sightings[i], more, arc, arcAngle(model, arc, i));
   return withFurtherSetUp(plan, Measure::SecondStandOff, std::move(more));
 }
 
@@ -148,6 +182,7 @@ std::optional<FurtherReadings> withMoreArc(const GapModel& model, Measurement mo
   constexpr double enough = 150, whole = 160;  // degrees
   constexpr int points = 17;
   bool added = false;
+  const PlannedReadings planned(model);
   for (std::size_t arc = 0; arc < more.arcs.size(); ++arc) {
     const auto rows = std::span(model.fit->arcAngles[arc]).first(more.arcs[arc].sightings.size());
     const auto [least, most] = std::ranges::minmax(rows);  // zeros, which follow the rows, have no place
@@ -162,7 +197,7 @@ std::optional<FurtherReadings> withMoreArc(const GapModel& model, Measurement mo
       ++point;
       for (Sighting sighting : pass) {
         sighting.point = point;
-        sightPerfectly(sighting, ZeroLine(more, more.arcs[arc]), model.fit->circleOf(arc), phi);
+        planned.sight(sighting, more, arc, phi);
         if (sighting.slider) sighting.slider = Angle::fromRadians(s);
         more.arcs[arc].sightings.push_back(sighting);
       }
@@ -216,12 +251,13 @@ auto offering(const std::function<void(const FurtherReadings&)>& take) {
 Measurement rowsWithoutError(const GapModel& model) {
   Measurement plan = *model.measurement;
   leaveOutZeros(plan);
+  const PlannedReadings planned(model);
   for (std::size_t arc = 0; arc < plan.arcs.size(); ++arc) {
     for (SightedZero& zero : plan.arcs[arc].zeroSightings) zero.a = zero.e = Angle();
     for (std::size_t i = 0; i < plan.arcs[arc].sightings.size(); ++i) {
       Sighting& sighting = plan.arcs[arc].sightings[i];
       const double phi = arcAngle(model, arc, i);
-      sightPerfectly(sighting, ZeroLine(plan, plan.arcs[arc]), model.fit->circleOf(arc), phi);
+      planned.sight(sighting, plan, arc, phi);
       if (sighting.slider)
         sighting.slider = Angle::fromRadians(sliderCoordinateOf(phi, plan.arcs[arc].axisDeg));
     }
@@ -230,6 +266,11 @@ Measurement rowsWithoutError(const GapModel& model) {
 }
 
 }  // namespace
+
+EstimatedTerm asPlanned(EstimatedTerm term, const GapModel& model) {
+  term.start = term.priorValue = plannedSize(model, term.term);
+  return term;
+}
 
 Measurement readWithoutError(const GapModel& model) {
   Measurement plan = rowsWithoutError(model);
@@ -273,8 +314,7 @@ void linearisePlan(const GapModel& model, const Measurement& set, const std::vec
     circles.push_back(model.fit->circleOf(arcAt(*model.measurement, arc.axisDeg).value()));
   JointFitOptions options;
   options.isClosed = model.options.isClosed;
-  options.terms = model.options.terms;
-  for (EstimatedTerm& term : options.terms) term.start = 0;
+  for (const EstimatedTerm& term : model.options.terms) options.terms.push_back(asPlanned(term, model));
   linearise(set, circles, options, terms, take);
 }
 

@@ -19,7 +19,11 @@ struct FurtherReadings {
                         ///< numbers
 };
 
-/// Returns the session as planned, with error-free readings.
+/// Returns a term of the model as error-free readings show it: at its fitted size if the effect is bent,
+/// since its derivatives depend on the size, else at 0.
+EstimatedTerm asPlanned(EstimatedTerm term, const GapModel& model);
+
+/// Returns the session as planned, with error-free readings that contain only the model's bent effects.
 Measurement readWithoutError(const GapModel& model);
 
 /// Calls a function for the session with each single measure: other face, way back, slider, shifted circle,
@@ -30,8 +34,8 @@ void eachFurtherReadings(const GapModel& model, const std::function<void(const F
 /// slider; both positions repeated.
 void eachCombination(const GapModel& model, const std::function<void(const FurtherReadings&)>& take);
 
-/// Linearises planned readings, which do not contain the effects of the model. The terms of the effects are
-/// estimated; derivatives are by these terms and by `terms`. Passes pieces to `take`, like `linearise`.
+/// Linearises planned readings. The terms of the model are estimated (`asPlanned`); derivatives are by these
+/// terms and by `terms`. Passes pieces to `take`, like `linearise`.
 void linearisePlan(const GapModel& model, const Measurement& set, const std::vector<ErrorTerm>& terms,
                    const std::function<void(const Linearised& piece)>& take);
 

@@ -183,6 +183,22 @@ TEST(Outlook, KeepsWhatTheDiagnosisFoundBeside) {
   EXPECT_LE(*outlook.ahead.at(2).expanded.asMeasured, *outlook.now->asMeasured);
 }
 
+// A known radius that contradicts the readings makes all misfit noise, which then dominates U: closed form,
+// as above, 1/√n. The zeros leave 0.02 of U in three rounds. A plan that contradicts the radius, too, has no
+// such course: its U grew with the first further round.
+TEST(Outlook, CountsAContradictedRadiusOnce) {
+  const Protocol plan = *protocolByName("paper");
+  Session session = *simulate(plan, test::truth(), 4);
+  session.model.radius = "known";
+  session.geometry.radiusMm = "399";
+  session.geometry.sigmaRadiusMm = "0.01";
+  const Known known(session);
+  const Outlook outlook = known.outlook(templateOf(plan));
+  for (const RoundsAhead& ahead : outlook.ahead)
+    EXPECT_NEAR(ahead.expanded.ofFit / outlook.now->ofFit, 1 / std::sqrt(1 + ahead.rounds), 0.04)
+        << ahead.rounds;
+}
+
 TEST(CarriedOut, HasEverySightingOfTheProtocolAndOfTheFurtherRounds) {
   const Protocol plan = *protocolByName("shifted-circle");
   const Session session = test::cut(*simulate(plan, test::truth(), 2), 0, 20);
