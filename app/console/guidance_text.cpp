@@ -19,7 +19,7 @@ namespace {
 using Rows = std::vector<std::vector<std::string>>;
 
 std::string pointingText(Angle angle, CircleUnit unit) {
-  return formatAngle(angle, unit, 0);
+  return formatCircleReading(angle, unit, 0);
 }
 
 std::string nextText(const Guidance& guidance, CircleUnit unit) {

@@ -343,4 +343,10 @@ std::string formatAngle(Angle angle, CircleUnit unit, int decimals) {
   return displayText(valueIn(unit, angle), decimals + 4) + (unit == CircleUnit::Gon ? " gon" : "°");
 }
 
+std::string formatCircleReading(Angle reading, CircleUnit unit, int decimals) {
+  constexpr Angle half = Angle::fromDegrees(180);
+  const std::string text = formatAngle(wrapped(reading, half), unit, decimals);
+  return text == formatAngle(half + half, unit, decimals) ? formatAngle(Angle(), unit, decimals) : text;
+}
+
 }  // namespace alidade

@@ -52,5 +52,7 @@ int decimalsOf(Angle angle, CircleUnit unit);
 
 /// Formats an angle for display, to `decimals` (0…9) of seconds: 341°52′24.5″, 341.87347°, 379.85941 gon.
 std::string formatAngle(Angle angle, CircleUnit unit, int decimals);
+/// The same for a circle reading, in [0°, 360°): 359°59′59.99″ with one decimal is 0°00′00.0″.
+std::string formatCircleReading(Angle reading, CircleUnit unit, int decimals);
 
 }  // namespace alidade

@@ -122,7 +122,7 @@ void addMoreOfTheArc(std::vector<ProtocolPlace>& places) {
   for (int degrees = 10; degrees <= 170; degrees += 10) {
     const bool isThere = std::ranges::any_of(before, [&](const ProtocolPlace& place) {
       const auto own = nominalPlace(place);
-      return own && std::abs(own->degrees() - degrees) < 5;
+      return own && std::abs(wrapped(*own - Angle::fromDegrees(degrees)).degrees()) < 5;
     });
     if (!isThere) places.push_back({.point = ++point, .slider = degreesText(degrees)});
   }

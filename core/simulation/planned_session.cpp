@@ -19,7 +19,8 @@ bool isUnread(const Reading& reading) {
 }
 
 std::string circleText(Angle angle) {
-  return formatDms(wrapped(angle, Angle::fromDegrees(180)), secondDecimals, AngleSigns::Typewriter);
+  return formatDms(wrappedAsWritten(angle, secondDecimals, Angle::fromDegrees(180)), secondDecimals,
+                   AngleSigns::Typewriter);
 }
 
 /// The value of a number field, if it is usable.

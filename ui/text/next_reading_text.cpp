@@ -48,10 +48,13 @@ const Guide* guideIn(const Evaluation& evaluation) {
 }  // namespace
 
 QString coarseAngleText(Angle angle, CircleUnit unit) {
-  if (unit == CircleUnit::Gon) return numberText(angle.degrees() / 0.9, 2) + QStringLiteral(" gon");
-  if (unit == CircleUnit::Degrees) return numberText(angle.degrees(), 2) + u'°';
-  const auto minutes = std::llround(std::abs(angle.degrees()) * 60);
-  const QString sign = angle.radians() < 0 && minutes > 0 ? QString(QChar(0x2212)) : QString();
+  // The last place shown: a minute, a hundredth of a degree or of a gon. A full turn is shown as 0.
+  const double perTurn = unit == CircleUnit::Gon ? 40'000 : unit == CircleUnit::Degrees ? 36'000 : 21'600;
+  const double places = std::fmod(std::round(angle.degrees() / 360 * perTurn), perTurn);
+  if (unit == CircleUnit::Gon) return numberText(places / 100, 2) + QStringLiteral(" gon");
+  if (unit == CircleUnit::Degrees) return numberText(places / 100, 2) + u'°';
+  const auto minutes = std::llround(std::abs(places));
+  const QString sign = places < 0 ? QString(QChar(0x2212)) : QString();
   return sign + QStringLiteral("%1°%2′").arg(minutes / 60).arg(minutes % 60, 2, 10, QLatin1Char('0'));
 }
 

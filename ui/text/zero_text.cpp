@@ -19,12 +19,13 @@ QString arcsecondsText(Angle angle) {
 
 QString textOf(const Measurement& measurement, const ArcMeasurement& arc) {
   const ZeroSightings& zero = arc.zero;
-  const Angle horizontal = wrapped(arc.zeroHorizontal, Angle::fromDegrees(180));
+  const auto circleText = [&](Angle reading) {
+    return QString::fromStdString(formatCircleReading(reading, measurement.angleUnit, 1));
+  };
   QString text = ZeroText::tr("Mean of %1 sightings: α0 %2 ± %3, β0 %4 ± %5 (1σ)")
-                     .arg(QString::number(zero.count), angleText(horizontal, measurement.angleUnit, 1),
+                     .arg(QString::number(zero.count), circleText(arc.zeroHorizontal),
                           arcsecondsText(measurement.sigmaOfZeroHorizontal(arc)),
-                          angleText(arc.zeroVertical, measurement.angleUnit, 1),
-                          arcsecondsText(measurement.sigmaOfZeroVertical(arc)));
+                          circleText(arc.zeroVertical), arcsecondsText(measurement.sigmaOfZeroVertical(arc)));
   if (zero.moved)
     text += ZeroText::tr("; the zero moved by %1 (α0) and %2 (β0)")
                 .arg(arcsecondsText(zero.moved->horizontal), arcsecondsText(zero.moved->vertical));

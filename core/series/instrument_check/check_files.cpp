@@ -48,10 +48,10 @@ TableLayout layoutOf(const Recognised& recognised, AngleUnit unit) {
 }
 
 /// Returns the misclosure of the two faces of a target, degrees. The vertical readings of both faces add up
-/// to a full turn; the horizontal ones differ by half a turn.
+/// to a full turn (zenith angles) or half a turn (elevations); the horizontal ones differ by half a turn.
 double openingOf(double before, double after, bool isVertical) {
-  const Angle sum = Angle::fromDegrees(isVertical ? after + before : after - before - 180);
-  return std::abs(wrapped(sum).degrees());
+  return std::abs(isVertical ? std::remainder(after + before, 180)
+                             : std::remainder(after - before - 180, 360));
 }
 
 /// The median misclosure over all targets, degrees; infinite if the readings cannot be read in this unit.
@@ -67,7 +67,8 @@ double closureIn(AngleUnit unit, const Recording& recording) {
     const double degrees = closing->degrees();
     const auto [before, isFirst] = last.try_emplace({sighting.station, sighting.row.point}, degrees);
     constexpr double betweenFaces = 90;
-    if (!isFirst && std::abs(degrees - before->second) > betweenFaces)
+    const double step = degrees - before->second;
+    if (!isFirst && std::abs(isVertical ? step : std::remainder(step, 360)) > betweenFaces)
       closures.push_back(openingOf(before->second, degrees, isVertical));
     before->second = degrees;
   }
@@ -223,7 +224,7 @@ class CheckFiles {
       m_result.remarks.push_back(
           Phrase::of("the vertical readings are treated as elevations, because they are near 0° and 180°"));
     }
-    if (kind == "elevation") m_result.circle = VerticalCircle::Elevation;
+    if (kind == "elevation") m_result.circle = m_result.identity.circle = VerticalCircle::Elevation;
     return std::nullopt;
   }
 
