@@ -13,11 +13,13 @@
 #include "core/base/phrase.h"
 #include "core/base/visible_text.h"
 #include "core/exchange/point_numbers.h"
+#include "core/exchange/recorded_zero.h"
 #include "core/exchange/visits.h"
 #include "core/exchange/words.h"
-#include "core/exchange/zero_means.h"
 #include "core/session/face.h"
 #include "core/session/row_fields.h"
+#include "core/session/time_text.h"
+#include "core/session/zero_examiner.h"
 
 namespace alidade {
 
@@ -270,16 +272,27 @@ class Assembly {
     ++m_import.rows;
   }
 
-  /// Is the field used in the name or the readings of a pointing zero?
+  /// Is the field used in the name, the readings or the arrival of a pointing zero?
   static bool isOfZero(const RowField& field) {
-    return field.text == &Reading::point || field.text == &Reading::round || field.text == &Reading::face ||
-           field.text == &Reading::horizontal || field.text == &Reading::vertical;
+    const auto of = {&Reading::point, &Reading::round, &Reading::face, &Reading::horizontal,
+                     &Reading::vertical};
+    return std::ranges::find(of, field.text) != of.end() ||
+           std::ranges::find(arrivalTexts, field.text) != std::end(arrivalTexts);
   }
 
   void takeZeros() {
-    std::map<PositionKey, std::vector<const RecordedSighting*>> zeros;
+    struct Sighted {
+      const RecordedSighting* sighting;
+      std::size_t rowsBefore;
+    };
+    std::map<PositionKey, std::vector<Sighted>> zeros;
+    std::map<PositionKey, std::size_t> rows;
     for (const RecordedSighting& sighting : m_sightings) {
-      if (!sighting.isZero) continue;
+      const PositionKey position = positionOf(sighting);
+      if (!sighting.isZero) {
+        ++rows[position];
+        continue;
+      }
       for (const RowField& field : rowFields)
         if (field.text && !isOfZero(field) && !(sighting.row.*field.text).empty())
           remark(Phrase::of("the %1 %2 of the pointing zero in %3 is not used", plainKey(field.key),
@@ -287,32 +300,54 @@ class Assembly {
       if (sighting.row.excluded) {
         remark(Phrase::of("the excluded sighting of the pointing zero in %1 is not used", lineOf(sighting)));
       } else {
-        zeros[positionOf(sighting)].push_back(&sighting);
+        zeros[position].push_back({&sighting, rows[position]});
       }
     }
-    for (const auto& [position, sightings] : zeros) takeZero(position, sightings);
+    for (const auto& [position, sightings] : zeros) {
+      std::vector<ZeroInFile> marked;
+      for (const auto& [sighting, before] : sightings)
+        marked.push_back({sighting, 2 * before > rows[position]});
+      takeZero(position, marked);
+    }
   }
 
-  void takeZero(const PositionKey& at, const std::vector<const RecordedSighting*>& sightings) {
+  void takeZero(const PositionKey& at, const std::vector<ZeroInFile>& marked) {
     PointingZero& zero = positionAt(at).zero;
-    std::string lines;
-    for (const RecordedSighting* sighting : sightings) {
-      const std::string one = lineOf(*sighting), number = std::to_string(sighting->line);
-      if (lines.empty())
-        lines = sightings.size() > 1 && !areSeveral() ? number : one;
-      else
-        lines += ", " + (areSeveral() ? one : number);
-    }
-    if (sightings.size() > 1 && !areSeveral()) lines = Phrase::of("lines %1", lines);
+    std::vector<const RecordedSighting*> sightings;
+    for (const ZeroInFile& one : marked) sightings.push_back(one.sighting);
     if (!zero.horizontal.empty() || !zero.vertical.empty())
       return remark(
           Phrase::of("the pointing zero at %1 keeps its given value; the sighting in %2 is not used",
-                     nameOf(at), lines));
-    const ZeroMean mean = zeroMean(sightings, m_circle);
-    zero.horizontal = mean.horizontal;
-    zero.vertical = mean.vertical;
-    if (mean.isMean)
-      remark(Phrase::of("the pointing zero at %1 is the mean of %2, converted to face 1", nameOf(at), lines));
+                     nameOf(at), linesOf(sightings)));
+    const RecordedZero recorded = recordedZero(marked, m_circle);
+    zero = recorded.zero;
+    for (const RecordedZero::Mean& mean : recorded.means)
+      remark(mean.isAfter
+                 ? Phrase::of("the pointing zero at %1 after the readings, in face %2, is the mean of %3",
+                              nameOf(at), mean.face, linesOf(mean.of))
+                 : Phrase::of("the pointing zero at %1, in face %2, is the mean of %3", nameOf(at), mean.face,
+                              linesOf(mean.of)));
+    if (recorded.isConverted)
+      remark(
+          Phrase::of("the pointing zero at %1 was sighted in face 2 only (%2) and is converted to face 1: "
+                     "collimation and index error count as errors of the zero",
+                     nameOf(at), linesOf(sightings)));
+    if (const auto& apart = recorded.apart) {
+      const RowField& field = *std::ranges::find(
+          rowFields, apart->isVertical ? &Reading::vertical : &Reading::horizontal, &RowField::text);
+      report(*apart->sighting, apart->sighting->columnOf(field), field.key,
+             zeroApartProblem(apart->sighting->row.*field.text, apart->degrees));
+    }
+  }
+
+  /// "line 3", "lines 1, 3", or with the names of the files.
+  std::string linesOf(const std::vector<const RecordedSighting*>& sightings) const {
+    const bool areNumbers = sightings.size() > 1 && !areSeveral();
+    std::string lines;
+    for (const RecordedSighting* sighting : sightings)
+      lines +=
+          (lines.empty() ? "" : ", ") + (areNumbers ? std::to_string(sighting->line) : lineOf(*sighting));
+    return areNumbers ? Phrase::of("lines %1", lines) : lines;
   }
 
   /// Drops positions without any data: the file does not mention them and nothing was typed for them.
@@ -337,11 +372,17 @@ class Assembly {
       remark(
           Phrase::of("the positions of the axis alternate in the file; a session keeps the order of readings "
                      "only within each position"));
-    else if (turns.size() == 2 && turns.front().first != "0" && !isAgain)
+    else if (turns.size() == 2 && turns.front().first != "0" && !isAgain && !haveTimes())
       remark(
           Phrase::of("180° was read before 0°, but a session assumes 0° first: a drift or a jump between the "
                      "positions would get the wrong sign"));
     if (isAgain) orderAsRead(turns);
+  }
+
+  bool haveTimes() const {
+    return std::ranges::all_of(m_sightings, [](const RecordedSighting& sighting) {
+      return sighting.isZero || minutesOf(sighting.row.takenAt).has_value();
+    });
   }
 
   static int rankOf(const Position& position) {

@@ -31,10 +31,26 @@ bool ColumnNumbers::areWithin(double low, double high) const {
   return areAll && std::ranges::all_of(values, [&](double value) { return value >= low && value <= high; });
 }
 
+bool ColumnNumbers::areAtMost(double high) const {
+  return std::ranges::all_of(values, [&](double value) { return value <= high; });
+}
+
+bool ColumnNumbers::areMostlyWhole() const {
+  const auto whole = std::ranges::count_if(values, [](double value) { return value == std::floor(value); });
+  return whole > 0 && 2 * static_cast<std::size_t>(whole) >= cells;
+}
+
+bool ColumnNumbers::areMostlyWithin(double low, double high) const {
+  const auto within =
+      std::ranges::count_if(values, [&](double value) { return value >= low && value <= high; });
+  return within > 0 && 2 * static_cast<std::size_t>(within) >= cells;
+}
+
 ColumnNumbers numbersIn(const std::vector<TableCells>& rows, std::size_t column) {
-  ColumnNumbers numbers{.values = {}, .areAll = true, .areWhole = true};
+  ColumnNumbers numbers{.areAll = true, .areWhole = true};
   for (const TableCells& row : rows) {
     if (column >= row.size() || row[column].empty()) continue;
+    ++numbers.cells;
     const auto number = parseNumber(withoutMark(row[column]));
     numbers.areAll = numbers.areAll && static_cast<bool>(number);
     if (!number) continue;

@@ -11,10 +11,14 @@ namespace alidade {
 
 /// The numbers in a column of the rows; `areAll`: the column has at least one number, and no other text.
 struct ColumnNumbers {
-  std::vector<double> values;
+  std::vector<double> values = {};
+  std::size_t cells = 0;  ///< cells that are not empty
   bool areAll = false, areWhole = false;
 
   bool areWithin(double low, double high) const;  ///< all numbers lie in the range, `high` included
+  bool areAtMost(double high) const;              ///< the numbers; other text does not count
+  bool areMostlyWhole() const;                    ///< at least half of the cells are whole numbers
+  bool areMostlyWithin(double low, double high) const;
 };
 ColumnNumbers numbersIn(const std::vector<TableCells>& rows, std::size_t column);
 

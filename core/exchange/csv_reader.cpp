@@ -72,9 +72,7 @@ class CircleKind {
 class CsvReader {
  public:
   CsvReader(const TableLayout& layout, const std::string& zeroPoint)
-      : m_layout(layout), m_zeroPoint(lowerCase(zeroPoint)) {
-    if (m_zeroPoint.empty()) m_zeroPoint = "zero";
-  }
+      : m_layout(layout), m_zeroPoint(zeroPoint.empty() ? "zero" : zeroPoint) {}
 
   Recording read(std::string_view text) {
     m_recording.format = "CSV";
@@ -187,7 +185,7 @@ class CsvReader {
         return refuse(row.line, cell.column, *why);
     }
     if (row.cells.size() > m_plan.columns.size() && isRestOfNote(row)) takeRestOfNote(row, sighting);
-    sighting.isZero = lowerCase(sighting.row.point) == m_zeroPoint;
+    sighting.isZero = isSameName(sighting.row.point, m_zeroPoint);
     addSightings(row, sighting);
   }
 

@@ -33,9 +33,9 @@ bool FieldBook::add(RecordedSighting sighting) {
   sighting.axis.text = m_axis;
   sighting.row.round = m_round;
   sighting.station = m_station;
-  const std::string name = upperCase(sighting.row.point);
-  sighting.isZero =
-      m_zeroComes || (m_zeroPoint.empty() ? name == "0" || name == "ZERO" : name == m_zeroPoint);
+  const std::string& name = sighting.row.point;
+  sighting.isZero = m_zeroComes || (m_zeroPoint.empty() ? isSameName(name, "0") || isSameName(name, "ZERO")
+                                                        : isSameName(name, m_zeroPoint));
   m_zeroComes = false;
   m_isStationUsed = true;
   m_recording.sightings.push_back(std::move(sighting));
@@ -69,6 +69,11 @@ void FieldBook::refuse(std::size_t line, std::size_t column, const std::string& 
 
 void FieldBook::setAside(const std::string& what, std::size_t line) {
   count(m_unused, what, line);
+}
+
+void FieldBook::setAsideSighting(const std::string& what, std::size_t line) {
+  dropZeroMark();
+  setAside(what, line);
 }
 
 void FieldBook::setAsideLine(std::string_view text, std::size_t line) {

@@ -18,7 +18,7 @@ namespace alidade {
 /// If `zeroPoint` is empty, points 0 and ZERO are the zero.
 class FieldBook {
  public:
-  explicit FieldBook(const std::string& zeroPoint) : m_zeroPoint(upperCase(zeroPoint)) {}
+  explicit FieldBook(const std::string& zeroPoint) : m_zeroPoint(zeroPoint) {}
 
   /// Passes each line of the file to `readLine` until a limit is reached, and lists the content after the
   /// end of the file, if there is any.
@@ -34,6 +34,10 @@ class FieldBook {
   void refuse(std::size_t line, std::size_t column, const std::string& what);
   /// Lists data that a session cannot hold, once for each kind.
   void setAside(const std::string& what, std::size_t line);
+  /// Lists a sighting that a session cannot hold. It takes up a preceding mark of the zero.
+  void setAsideSighting(const std::string& what, std::size_t line);
+  /// Ends a mark of the zero whose sighting holds nothing.
+  void dropZeroMark() { m_zeroComes = false; }
   /// Lists a line outside the format. The first few are quoted; the others are counted.
   void setAsideLine(std::string_view text, std::size_t line);
   /// Lists a part of a line outside the format. The first few are quoted; the others are counted.

@@ -117,6 +117,7 @@ class GsiReader {
     if (wordOf(words, codeIndex)) return;
     const GsiWord* point = hasStation(words) ? wordOf(words, pointIndex) : nullptr;
     if (point) m_book.beginStation(gsiText(*point), line);
+    if (!point && wordOf(words, pointIndex)) m_book.dropZeroMark();  // a sighting without angles
     for (const GsiWord& word : words)
       if (&word != point) readHeading(word, line);
   }
@@ -145,11 +146,19 @@ class GsiReader {
     const std::string further = more ? gsiText(*more) : std::string();
     if (const auto station = stationOf(code, further)) return m_book.beginStation(*station, line);
     const auto mark = fieldMark(code, further);
+    if (isSighting && mark && isBareAxis(code)) {
+      m_hasAxisInSightings = m_hasAxisInSightings || mark->number == "180";
+      if (!m_hasAxisInSightings) return;  // 0 is what an instrument writes without a code
+    }
     if (!mark) return m_book.setAside(Phrase::of("the code block %1", quotation(code)), line);
     m_book.take(*mark);
     if (isSighting) return;
     for (const GsiWord& word : words)
       if (!isOfCode(word)) m_book.setAside(gsiWordName(word.index), line);
+  }
+
+  static bool isBareAxis(const std::string& code) {
+    return code.find_first_not_of("0123456789") == std::string::npos;
   }
 
   static bool isOfCode(const GsiWord& word) {
@@ -259,6 +268,7 @@ class GsiReader {
   }
 
   FieldBook m_book;
+  bool m_hasAxisInSightings = false;  ///< sightings state the axis as a bare number
 };
 
 }  // namespace

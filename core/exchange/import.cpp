@@ -67,7 +67,7 @@ std::optional<Problem> twoKindsOfCircle(const std::vector<Recording>& recordings
       base.positions, [](const Position& position) { return !position.readings.empty(); });
   const auto circle = verticalCircleEntry(base.geometry.verticalCircle);
   std::string kind;
-  if (hasRows && circle) kind = *circle == VerticalCircle::Zenith ? "zenith" : "elevation";
+  if (hasRows && circle) kind = keyOf(*circle);
   for (const Recording& recording : recordings) {
     if (recording.verticalCircle.empty()) continue;
     if (!kind.empty() && kind != recording.verticalCircle)
@@ -78,6 +78,15 @@ std::optional<Problem> twoKindsOfCircle(const std::vector<Recording>& recordings
     kind = recording.verticalCircle;
   }
   return std::nullopt;
+}
+
+/// Has any sighting the name stated for the zero?
+bool hasZeroPoint(const std::vector<Recording>& recordings, const std::string& name) {
+  return std::ranges::any_of(recordings, [&](const Recording& recording) {
+    return std::ranges::any_of(recording.sightings, [&](const RecordedSighting& sighting) {
+      return isSameName(sighting.row.point, name);
+    });
+  });
 }
 
 }  // namespace
@@ -98,7 +107,15 @@ Result<Import> importReadings(const std::vector<ReadingsFile>& files, const Impo
     if (const auto problem = twoKindsOfCircle(recordings, options)) return named(*problem);
   }
   if (recordings.empty()) return Problem{Phrase::of("no file was chosen: choose one")};
-  return assemble(std::move(recordings), files, options);
+  const bool lacksZeroPoint = !options.zeroPoint.empty() && !hasZeroPoint(recordings, options.zeroPoint);
+  Import import = assemble(std::move(recordings), files, options);
+  if (lacksZeroPoint) {
+    import.missingZeroPoint =
+        Phrase::of("no sighting is named %1: state the name of the pointing zero as in the file",
+                   quotation(options.zeroPoint));
+    import.remarks.push_back(import.missingZeroPoint);
+  }
+  return import;
 }
 
 }  // namespace alidade

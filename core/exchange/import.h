@@ -50,6 +50,9 @@ struct Import {
   std::vector<std::string> remarks;   ///< sentences on assumptions and on what was not used
   std::vector<ImportedRows> origins;  ///< sources of all imported rows, in the order of positions and rows
   std::vector<std::size_t> unplaced;  ///< indices of files without an axis, put at 0°
+  /// The remark that no sighting has the name `ImportOptions::zeroPoint`; empty if one has, or none is
+  /// stated.
+  std::string missingZeroPoint = {};
 };
 
 /// The end of the remark on a file in `unplaced`.
@@ -57,8 +60,8 @@ inline constexpr const char* putAtZero = PHRASE_LATER(
     "Phrase", "the file does not state the position of the axis: all its readings are assigned to 0°");
 
 /// Imports theodolite readings from the bytes of instrument files (file_format.h) and tables (csv_reader.h);
-/// the content decides the format. Sightings of the pointing zero become the zero of their position, several
-/// of them as the mean of their face 1 equivalents. A zero that `base` already has stays. A face that the
+/// the content decides the format. Sightings of the pointing zero become the zero of their position, each in
+/// its place by face and time (recorded_zero.h). A zero that `base` already has stays. A face that the
 /// file does not state follows from the vertical circle. A missing round follows from earlier sightings of
 /// the same point and face in the position, skipping stated rounds. A missing axis follows from
 /// `turnedAtLine`, else it is 0°. Positions are in the order 0°, 180°; if `base` has readings, its positions

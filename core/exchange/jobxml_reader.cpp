@@ -69,12 +69,13 @@ class JobXmlReader {
   void readPoint(const pugi::xml_node& record) {
     const pugi::xml_node circle = xmlChild(record, "Circle");
     if (!circle) return m_book.setAside(Phrase::of("a point without readings of circles"), m_line);
-    if (const std::string kind = otherKind(record); !kind.empty()) return m_book.setAside(kind, m_line);
+    if (const std::string kind = otherKind(record); !kind.empty())
+      return m_book.setAsideSighting(kind, m_line);
     const XmlCircles circles{.horizontal = xmlText(circle, "HorizontalCircle"),
                              .vertical = xmlText(circle, "VerticalCircle"),
                              .face = faceOf(xmlText(circle, "Face"))};
     if (circles.horizontal.empty() || circles.vertical.empty())
-      return m_book.setAside(Phrase::of("an observation without one of the circles"), m_line);
+      return m_book.setAsideSighting(Phrase::of("an observation without one of the circles"), m_line);
     RecordedSighting sighting;
     sighting.line = m_line;
     sighting.row.point = xmlText(record, "Name");

@@ -126,13 +126,13 @@ class LandXmlReader {
       return isOneOf(lowerCase(xmlValue(observation, name)), {"true", "1"});
     };
     if (isTrue("unused") || lowerCase(xmlValue(observation, "status")) == "deleted")
-      return m_book.setAside(Phrase::of("a deleted observation"), m_line);
+      return m_book.setAsideSighting(Phrase::of("a deleted observation"), m_line);
     const std::string direct = xmlValue(observation, "directFace");
     XmlCircles circles{.horizontal = xmlValue(observation, "horizAngle"),
                        .vertical = xmlValue(observation, "zenithAngle"),
                        .unit = m_unit};
     if (circles.horizontal.empty() || circles.vertical.empty())
-      return m_book.setAside(Phrase::of("an observation without one of the circles"), m_line);
+      return m_book.setAsideSighting(Phrase::of("an observation without one of the circles"), m_line);
     if (!direct.empty()) circles.face = isTrue("directFace") ? "1" : "2";
     RecordedSighting sighting;
     sighting.line = m_line;

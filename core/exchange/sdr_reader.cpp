@@ -168,7 +168,7 @@ class SdrReader {
     if (known != std::end(unusedRecords)) {
       if (known->what) m_book.setAside(Phrase::of(known->what), line.number);
     } else if (type == "DD") {
-      m_book.setAside(Phrase::of("a deleted record"), line.number);
+      m_book.setAsideSighting(Phrase::of("a deleted record"), line.number);
     } else if (isRaw(from) && !areAllDigits(type)) {
       m_book.refuse(
           line.number, 0,
@@ -216,7 +216,7 @@ class SdrReader {
       return m_book.setAside(Phrase::of("a corrected mean, not a circle reading (09MC)"), line.number);
     }
     if (!isRaw(from))
-      return m_book.setAside(Phrase::of("an observation that is not raw (09%1)", from), line.number);
+      return m_book.setAsideSighting(Phrase::of("an observation that is not raw (09%1)", from), line.number);
     const SightingColumns at = columns(line);
     const bool isAscii = std::ranges::none_of(line.text, [](char c) { return (c & 0x80) != 0; });
     const std::string text = isAscii ? std::string() : inColumns(line.text, at);

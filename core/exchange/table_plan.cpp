@@ -203,15 +203,19 @@ class TablePlanner {
       }
   }
 
+  /// The heading of a column in quotation marks, or "column 3", as the subject of a sentence.
+  std::string subjectOf(std::size_t i) const {
+    const bool isNamed = i < m_plan.names.size() && !m_plan.names[i].empty();
+    return isNamed ? quotation(m_plan.names[i]) : Phrase::of("column %1", i + 1);
+  }
+
   void findTwice() {
     std::set<std::string> seen;
     for (std::size_t i = 0; i < m_plan.columns.size(); ++i) {
       const auto& column = m_plan.columns[i].column;
       if (!column || seen.insert(column->key()).second) continue;
-      const std::string name =
-          m_plan.names[i].empty() ? Phrase::of("column %1", i + 1) : quotation(m_plan.names[i]);
-      return refuse(i, Phrase::of("%1 is a second column for “%2”: rename or remove one of the two", name,
-                                  wholeOf(*column).key()));
+      return refuse(i, Phrase::of("%1 is a second column for “%2”: rename or remove one of the two",
+                                  subjectOf(i), wholeOf(*column).key()));
     }
   }
 
@@ -285,21 +289,20 @@ class TablePlanner {
   }
 
   /// Refuses whole degrees next to an unnamed column that may hold their minutes: the reading would lose the
-  /// minutes.
+  /// minutes. Most cells decide, so that no single cell of another kind hides the loss.
   void findLostParts() {
     for (const PlannedAngle& angle : m_plan.angles) {
       const std::size_t at = angle.at[0];
       const bool mayBeDegrees = angle.unit == AngleUnit::Unstated || angle.unit == AngleUnit::Degrees;
       if (angle.isJoined() || !mayBeDegrees || !angle.field->remedy) continue;
-      const ColumnNumbers degrees = numbersIn(m_rows, at);
-      if (!degrees.areAll || !degrees.areWhole) continue;
+      if (!numbersIn(m_rows, at).areMostlyWhole()) continue;
       for (std::size_t i = 0; i < widest(); ++i) {
         if (!mayBeLost(i, at)) continue;
         return refuse(
             i,
             Phrase::of("%1 holds whole degrees and %2 may hold their minutes or seconds: name the columns, "
                        "such as Hz deg, Hz min, Hz sec, or choose what each holds",
-                       m_plan.nameOf(at), m_plan.nameOf(i)));
+                       subjectOf(at), subjectOf(i)));
       }
     }
   }
@@ -339,25 +342,25 @@ class TablePlanner {
     const bool isPart = isNamed && m_plan.columns[column].isUnderstood && m_plan.columns[column].isPart &&
                         m_plan.columns[column].part != AnglePart::Degrees;
     const ColumnNumbers numbers = numbersIn(m_rows, column);
-    if (!numbers.areWithin(0, minutesInDegree)) return false;
-    return isPart || (column == degrees + 1 && numbers.areWhole);
+    if (!numbers.areMostlyWithin(0, minutesInDegree)) return false;
+    const bool hasHeading = isNamed && !m_plan.names[column].empty();
+    return isPart || (column == degrees + 1 && (numbers.areWhole || !hasHeading));
   }
 
-  /// Resolves `grad`, degrees in German and gon in French, by the option or the numbers.
+  /// Resolves `grad`, degrees in German and gon in French, by the option or by a reading above 360.
   void takeGrad() {
-    std::vector<double> all, vertical;
-    for (const PlannedAngle& angle : m_plan.angles) {
-      if (!angle.field->remedy) continue;
-      for (const double number : numbersIn(m_rows, angle.at[0]).values) {
-        all.push_back(number);
-        if (angle.field->text == &Reading::vertical) vertical.push_back(number);
-      }
-    }
+    constexpr double turn = 360;
+    bool isGon = false;
+    for (const PlannedAngle& angle : m_plan.angles)
+      if (angle.field->remedy) isGon = isGon || !numbersIn(m_rows, angle.at[0]).areAtMost(turn);
     for (PlannedAngle& angle : m_plan.angles) {
       const bool isGrad = m_plan.columns[angle.at[0]].isGrad && angle.unit == AngleUnit::Unstated;
       if (!isGrad || m_layout.unit != AngleUnit::Unstated) continue;
-      angle.unit = angle.isJoined() ? AngleUnit::Degrees : unitByNumbers(all, vertical);
-      if (angle.unit == AngleUnit::Unstated && !all.empty())
+      if (angle.isJoined())
+        angle.unit = AngleUnit::Degrees;
+      else if (isGon)
+        angle.unit = AngleUnit::Gon;
+      else if (!numbersIn(m_rows, angle.at[0]).values.empty())
         refuse(
             angle.at[0],
             Phrase::of("%1 names the unit grad, which may be degrees or gon: name it deg or gon, or choose "

@@ -43,6 +43,15 @@ bool isOneOf(std::string_view word, std::initializer_list<std::string_view> word
   return std::find(words.begin(), words.end(), word) != words.end();
 }
 
+bool isSameName(std::string_view one, std::string_view other) {
+  const auto plain = [](std::string_view name) {
+    const bool isNumber = !name.empty() && name.find_first_not_of("0123456789") == std::string_view::npos;
+    if (isNumber) name.remove_prefix(std::min(name.find_first_not_of('0'), name.size() - 1));
+    return upperCase(std::string(name));
+  };
+  return plain(one) == plain(other);
+}
+
 std::string_view withoutIndent(std::string_view line) {
   line.remove_prefix(std::min(line.find_first_not_of(" \t\x02"), line.size()));
   return line;

@@ -18,6 +18,9 @@ std::string trimmed(std::string_view text);
 /// Compares exactly.
 bool isOneOf(std::string_view word, std::initializer_list<std::string_view> words);
 
+/// Do these names mean one point? Case does not count, nor leading zeros of a number: 0007 is 7.
+bool isSameName(std::string_view one, std::string_view other);
+
 /// `text` in a form for comparing words: it has the signs of `plainSigns` (typed_text.h) and lower-case
 /// letters, and its Latin and Cyrillic letters have no accents. `Höhe` and `HOHE` become `hohe`, `Приём`
 /// becomes `прием`, `ß` becomes `ss`, `№` becomes `no`.

@@ -22,9 +22,6 @@ namespace alidade {
 
 namespace {
 
-/// Largest difference between sightings of one direction, including all errors of the instrument.
-constexpr double farthestApart = 0.5;  // degrees
-
 /// One sighting converted to face 1, relative to the first.
 struct FromFirst {
   int face = 1;
@@ -82,11 +79,8 @@ class ZeroExaminer : private ProblemReporter {
 
   bool checkDistance(Angle from, const std::string& text, const std::string& field) {
     const double degrees = std::abs(from.degrees());
-    if (degrees <= farthestApart) return true;
-    report(
-        {Phrase::of("%1 is %2° from the first sighting of the pointing zero: check the degrees and the face",
-                    quotation(text), fixedText(degrees, 1))},
-        {.position = m_position, .field = field});
+    if (degrees <= farthestZeroSighting) return true;
+    report(zeroApartProblem(text, degrees), {.position = m_position, .field = field});
     return false;
   }
 
@@ -227,6 +221,11 @@ bool isInFaceTwo(const PositionZero& zero) {
 }
 
 }  // namespace
+
+Problem zeroApartProblem(const std::string& text, double degrees) {
+  return {Phrase::of("%1 is %2° from the first sighting of the pointing zero: check the degrees and the face",
+                     quotation(text), fixedText(degrees, 1))};
+}
 
 ExaminedZeros examineZeros(const Session& session, const std::optional<VerticalCircle>& circle,
                            PointingZeros kind, Angle sigmaHorizontal, Angle sigmaVertical) {

@@ -2,6 +2,7 @@
 
 #include <cstddef>
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "core/base/problem.h"
@@ -38,6 +39,12 @@ struct ExaminedZeros {
 /// unknown and there are no directions. The σ are those of single sightings, ≥ 0.
 ExaminedZeros examineZeros(const Session& session, const std::optional<VerticalCircle>& circle,
                            PointingZeros kind, Angle sigmaHorizontal, Angle sigmaVertical);
+
+/// The largest angle between sightings of one zero, in degrees, including all errors of the instrument.
+inline constexpr double farthestZeroSighting = 0.5;
+
+/// The problem of a sighting, as typed, that is `degrees` from the first.
+Problem zeroApartProblem(const std::string& text, double degrees);
 
 /// The largest angle between a zero and the horizon, in degrees: a steeper zero is nearer to the horizon of
 /// the other kind of vertical circle.

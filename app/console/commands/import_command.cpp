@@ -299,6 +299,7 @@ Result<ImportAnswer> runImport(const ImportRequest& request, const ImportOptions
         problems.size() > 1 ? " (and " + std::to_string(problems.size() - 1) + " more)" : "";
     return Problem{problems.front().text() + more};
   }
+  if (!import.missingZeroPoint.empty()) return Problem{import.missingZeroPoint};
   if (auto problem = checkZeros(request, options, import.session)) return *std::move(problem);
   Session& session = import.session;
   const std::string& first = request.files.front();

@@ -124,6 +124,18 @@ TEST(AngleColumns, LoseNoSign) {
   EXPECT_EQ(joinedOf("Pt;Hz d;Hz m;x;V d;V m\n1;17;41;-;0;12\n"), "17 41 / 0 12") << "nothing is known of x";
 }
 
+// One cell of another kind keeps unnamed columns from being joined. It must not let the readings lose their
+// minutes and seconds.
+TEST(AngleColumns, AreRefusedIfOddCellsKeepThemApart) {
+  const std::string head = "point;Hz;;;V;;\n", row = "1;341;52;24;88;16;49\n2;342;12;05;88;26;19\n";
+  for (const char* odd : {"ZERO;332°32'54\";;;89°59'57\";;\n", "3;343;72;05;88;26;19\n",
+                          "3;343;4-;05;88;26;19\n", "3;343;-;-;88;26;09\n", "3;343;12?;05;88;26;19\n"})
+    EXPECT_THAT(joinedOf(head + row + odd), HasSubstr("may hold their minutes or seconds")) << odd;
+  EXPECT_THAT(joinedOf("point;Hz;;V;\n1;341;52.4;88;16.5\n2;342;62.4;88;16.5\n"),
+              HasSubstr("“Hz” holds whole degrees and column 3 may hold their minutes or seconds"));
+  EXPECT_EQ(joinedOf(head + row), "341 52 24 / 88 16 49");
+}
+
 TEST(AngleColumns, MayHaveTheirSecondsInTheMinutes) {
   EXPECT_EQ(joinedOf("Pt;Hz d;Hz m;Hz s;V d;V m;V s\n1;17;41.5;;86;12;7\n"), "17 41.5 / 86 12 07");
   EXPECT_EQ(joinedOf("Punto;Hz G;Hz M;Hz S;V G;V M;V S\n1;17;41;33;86;12;7\n"), "17 41 33 / 86 12 07");

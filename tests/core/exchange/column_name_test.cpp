@@ -89,10 +89,10 @@ TEST(ColumnName, GradIsDecidedByTheNumbers) {
     const Recording recording = readTable("Hz [Grad];V [Grad]\n" + rows, {.unit = unit});
     return recording.problems.empty() ? recording.sightings.at(0).row.horizontal : recording.problems[0].what;
   };
-  EXPECT_EQ(first("219.1;98.2\n"), "219.1gon");
   EXPECT_EQ(first("219.1;94.9\n380.1;94.9\n"), "219.1gon");
-  EXPECT_EQ(first("219.1;88.2\n"), "219.1°");
-  EXPECT_THAT(first("219.1;95\n"), HasSubstr("may be degrees or gon"));
+  // A zero some degrees off the horizon is as near to 100 as to 90, so the vertical circle proves nothing.
+  for (const char* rows : {"219.1;98.2\n", "219.1;88.2\n", "219.1;95\n"})
+    EXPECT_THAT(first(rows), HasSubstr("may be degrees or gon")) << rows;
   EXPECT_EQ(first("219.1;95\n", AngleUnit::Gon), "219.1gon");
 }
 

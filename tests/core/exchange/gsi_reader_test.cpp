@@ -46,6 +46,30 @@ TEST(GsiReader, TakesAxisAndRoundFromCodes) {
   EXPECT_THAT(recording.unused, IsEmpty());
 }
 
+// A sighting carries the instrument's current code, which is 0 if none was keyed in.
+TEST(GsiReader, TakesNoAxisFromAnEmptyCodeOfASighting) {
+  const auto axesOf = [](const std::string& text) {
+    std::vector<std::string> axes;
+    for (const RecordedSighting& sighting : readGsi(text).sightings) axes.push_back(sighting.axis.text);
+    return axes;
+  };
+  const std::string empty = " 41....+00000000\n", turned = " 41....+00000180\n";
+  EXPECT_THAT(axesOf("41....+00000180\n110001+00000001" + point + "\n110002+00000002" + point + empty +
+                     "110003+00000003" + point),
+              ElementsAre("180", "180", "180"));
+  EXPECT_THAT(axesOf("110001+00000001" + point + empty + "110002+00000001" + point + turned +
+                     "110003+00000001" + point + empty),
+              ElementsAre("", "180", "0"))
+      << "stated with each sighting";
+}
+
+TEST(GsiReader, EndsTheMarkOfAZeroWithASightingWithoutAngles) {
+  const Recording recording =
+      readGsi("41....+0000ZERO\n110001+00000005 31..00+00002405\n110002+00000001" + point);
+  ASSERT_EQ(recording.sightings.size(), 1U);
+  EXPECT_FALSE(recording.sightings[0].isZero);
+}
+
 TEST(GsiReader, KnowsThePointingZero) {
   const auto zeros = [](const std::string& text, const std::string& name = {}) {
     std::vector<bool> zero;

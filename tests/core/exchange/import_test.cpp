@@ -196,17 +196,28 @@ TEST(Import, ListsReadingsThatWereTurnedIntoRemarks) {
   EXPECT_THAT(remarks("# wind from the left, 3 m/s, see page 2, 15°"), IsEmpty());
 }
 
-// 332°32'50" and 152°32'54" − 180° have the mean 332°32'52", 89°59'58" and 360° − 270°00'06" the mean
-// 89°59'56".
-TEST(Import, AveragesThePointingZeroOverTheFaces) {
+// A zero has a place for each face, before and after the readings, so that a move of the instrument shows.
+TEST(Import, KeepsSightingsOfAZeroApartByFaceAndTime) {
   const Import import = imported(gsiOf("0", "33232500", "08959580") + gsiOf("1", "34152240", "08816490") +
                                  gsiOf("0", "15232540", "27000060"));
   const PointingZero& zero = import.session.positions.at(0).zero;
-  EXPECT_EQ(zero.horizontal, "332°32'52.00\"");
-  EXPECT_EQ(zero.vertical, "89°59'56.00\"");
-  EXPECT_THAT(import.remarks,
-              Contains("the pointing zero at 0° is the mean of lines 1, 3, converted to face 1"));
+  EXPECT_EQ(zero.horizontal, "332°32'50.0\"");
+  EXPECT_EQ(zero.vertical, "89°59'58.0\"");
+  EXPECT_EQ(zero.afterInTwo.horizontal, "152°32'54.0\"");
+  EXPECT_EQ(zero.afterInTwo.vertical, "270°00'06.0\"");
+  EXPECT_THAT(import.remarks, Not(Contains(HasSubstr("is the mean of"))));
   EXPECT_EQ(import.rows, 1u);
+}
+
+// Two set-ups in one file, or a reading a degree off, are no mean of anything.
+TEST(Import, RefusesSightingsOfAZeroThatAreFarApart) {
+  for (const char* horizontal : {"33332500", "01232540"}) {
+    const Import import = imported(gsiOf("0", "33232500", "08959580") + gsiOf("0", horizontal, "08959580") +
+                                   gsiOf("1", "34152240", "08816490"));
+    ASSERT_EQ(import.problems.size(), 1U);
+    EXPECT_EQ(import.problems[0].line, 2U);
+    EXPECT_THAT(import.problems[0].what, HasSubstr("from the first sighting of the pointing zero"));
+  }
 }
 
 // 359°59'59" and 0°00'01" are 2″ apart, not 360°.
@@ -214,6 +225,16 @@ TEST(Import, AveragesAcrossTheZeroOfTheCircle) {
   const Import import = imported(gsiOf("0", "35959590", "09000000") + gsiOf("0", "00000030", "09000000") +
                                  gsiOf("1", "00852240", "08816490"));
   EXPECT_EQ(import.session.positions.at(0).zero.horizontal, "0°00'01.00\"");
+}
+
+TEST(Import, FindsTheZeroByItsNameOrRefusesTheName) {
+  const std::string text = gsiOf("7", "33232500", "08959580") + gsiOf("8", "34152240", "08816490");
+  ImportOptions options;
+  options.zeroPoint = "0007";
+  EXPECT_EQ(imported(text, options).rows, 1U);
+  EXPECT_EQ(imported(text, options).missingZeroPoint, "");
+  options.zeroPoint = "K9";
+  EXPECT_THAT(imported(text, options).missingZeroPoint, HasSubstr("no sighting is named “K9”"));
 }
 
 TEST(Import, KeepsAZeroThatWasGiven) {

@@ -53,6 +53,21 @@ TEST(LandXml, ReadsRawObservationsDigitByDigit) {
   EXPECT_THAT(recording.unused, Contains("a reduced observation, not a circle reading is not used: line 15"));
 }
 
+TEST(LandXml, HasNoZeroWhereItsSightingWasDeleted) {
+  const auto observation = [](const char* attributes, const char* name) {
+    return std::string("<RawObservation ") + attributes + " directFace=\"1\"><TargetPoint name=\"" + name +
+           "\"/></RawObservation>";
+  };
+  const Recording recording = readLandXml(
+      "<LandXML version=\"1.2\"><Units><Metric angularUnit=\"decimal degrees\" linearUnit=\"meter\"/></Units>"
+      "<Survey><InstrumentSetup id=\"s\" stationName=\"K\"><FieldNote>ZERO</FieldNote>" +
+      observation("unused=\"true\" horizAngle=\"100\" zenithAngle=\"90\"", "Z") +
+      observation("horizAngle=\"107.5\" zenithAngle=\"88.5\"", "1") +
+      "</InstrumentSetup></Survey></LandXML>");
+  ASSERT_EQ(recording.sightings.size(), 1U);
+  EXPECT_FALSE(recording.sightings[0].isZero);
+}
+
 TEST(LandXml, ReadsEveryUnitOfItsSchema) {
   EXPECT_THAT(landXmlCircles("angularUnit=\"grads\"", "107.1225", "98.473"),
               ElementsAre("107.1225gon", "98.473gon"));

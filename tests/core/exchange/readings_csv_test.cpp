@@ -155,14 +155,17 @@ TEST(ReadingsCsv, NamesTheVerticalCircle) {
 }
 
 TEST(ReadingsCsv, HoldsThePointingZeros) {
-  const Session session = paperSession();
+  Session session = paperSession();
+  PointingZero& further = session.positions[0].zero;
+  further.faceTwo = {"152°32'51\"", "270°00'05\""};
+  further.after = {.horizontal = "332°32'40\"", .vertical = "90°00'10\"", .takenAt = "2026-03-14T15:00:00Z"};
+  further.afterInTwo = {"152°32'41\"", "269°59'55\""};
   Session base = blankSession();
   base.positions.clear();
   const Session read = importedInto(base, readingsCsv(session)).session;
   ASSERT_EQ(read.positions.size(), 2u);
   for (std::size_t p = 0; p < 2; ++p) {
-    EXPECT_EQ(read.positions[p].zero.horizontal, session.positions[p].zero.horizontal);
-    EXPECT_EQ(read.positions[p].zero.vertical, session.positions[p].zero.vertical);
+    EXPECT_EQ(read.positions[p].zero, session.positions[p].zero);
     EXPECT_EQ(read.positions[p].readings.size(), session.positions[p].readings.size());
   }
 }
