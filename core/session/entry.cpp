@@ -146,6 +146,10 @@ CircleUnit circleUnitOf(const Session& session) {
   return unit ? *unit : CircleUnit::Dms;
 }
 
+const char* keyOf(VerticalCircle circle) {
+  return circle == VerticalCircle::Zenith ? "zenith" : "elevation";
+}
+
 Result<VerticalCircle> verticalCircleEntry(const std::string& text) {
   if (text.empty() || text == "zenith") return VerticalCircle::Zenith;
   if (text == "elevation") return VerticalCircle::Elevation;

@@ -88,6 +88,8 @@ Result<CircleUnit> circleUnitEntry(const std::string& text);
 CircleUnit circleUnitOf(const Session& session);
 
 Result<VerticalCircle> verticalCircleEntry(const std::string& text);
+/// "zenith" or "elevation", as in files.
+const char* keyOf(VerticalCircle circle);
 Result<Measurand> measurandEntry(const std::string& text);
 Result<PointingZeros> pointingZerosEntry(const std::string& text);
 Result<ArcPlane> arcPlaneEntry(const std::string& text);

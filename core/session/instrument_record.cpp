@@ -32,6 +32,7 @@ InstrumentRecord recordFrom(const ObjectReader& reader) {
           .traceability = reader.text("traceability"),
           .date = reader.text("date"),
           .due = reader.text("next_check_due"),
+          .verticalCircle = reader.text("vertical_circle"),
           .sigmaHorizontalArcsec = reader.number("sigma_horizontal_arcsec"),
           .sigmaVerticalArcsec = reader.number("sigma_vertical_arcsec"),
           .sigmaZeroArcsec = reader.number("sigma_zero_arcsec"),
@@ -57,6 +58,7 @@ class RecordExaminer {
     if (!record.due.empty() && record.due <= record.date)
       report(Problem{Phrase::of("is not after the day of the check: correct one of the two")},
              "next_check_due");
+    check(verticalCircleEntry(record.verticalCircle), "vertical_circle");
     for (std::size_t i = 0; i < record.known.size(); ++i)
       known("known[" + std::to_string(i) + "]", record.known[i]);
     return std::move(m_problem);
@@ -114,6 +116,7 @@ std::string writeInstrumentRecord(const InstrumentRecord& record) {
   writer.text("traceability", record.traceability);
   writer.set("date", record.date, ValueKind::Text, Presence::Required);
   writer.text("next_check_due", record.due);
+  writer.text("vertical_circle", record.verticalCircle);
   writer.number("sigma_horizontal_arcsec", record.sigmaHorizontalArcsec);
   writer.number("sigma_vertical_arcsec", record.sigmaVerticalArcsec);
   writer.number("sigma_zero_arcsec", record.sigmaZeroArcsec);

@@ -20,6 +20,9 @@ struct InstrumentRecord {
   std::string certificate = {}, traceability = {};  ///< calibration certificate; traceability of the circles
   std::string date = {};                            ///< date of all findings; required
   std::string due = {};  ///< date of the next check, after `date`; empty: not stated
+  /// "zenith" or "elevation": the kind of circle that the sizes of its errors belong to; empty: that of the
+  /// session which takes the record.
+  std::string verticalCircle = {};
   // An empty text means that the number is not stated.
   std::string sigmaHorizontalArcsec = {}, sigmaVerticalArcsec = {}, sigmaZeroArcsec = {};
   LineOfSight lineOfSight = {};

@@ -6,6 +6,8 @@
 
 #include "core/base/phrase.h"
 #include "core/base/visible_text.h"
+#include "core/session/entry.h"
+#include "core/session/other_circle.h"
 
 namespace alidade {
 
@@ -46,6 +48,13 @@ void takeLineOfSight(Instrument& own, const InstrumentRecord& record) {
     own.lineOfSight = record.lineOfSight;
 }
 
+/// The sizes of the record's errors on the session's circle.
+std::vector<KnownSize> knownOn(const std::string& sessionCircle, const InstrumentRecord& record) {
+  const auto own = verticalCircleEntry(sessionCircle), other = verticalCircleEntry(record.verticalCircle);
+  const bool isOther = !record.verticalCircle.empty() && own && other && *own != *other;
+  return isOther ? onOtherCircle(record.known) : record.known;
+}
+
 }  // namespace
 
 std::string citationOf(const NamedRecord& record) {
@@ -77,7 +86,7 @@ std::optional<Problem> takeRecord(Session& session, const InstrumentRecord& reco
   });
   own.record.file = file;
   own.record.date = record.date;
-  for (KnownSize size : record.known) {
+  for (KnownSize& size : knownOn(session.geometry.verticalCircle, record)) {
     size.from =
         citationOf(own.record) + (size.from.empty() ? "" : std::string(beforeSource)) + std::move(size.from);
     takeWhereEmpty(size.date, record.date);
@@ -88,11 +97,13 @@ std::optional<Problem> takeRecord(Session& session, const InstrumentRecord& reco
 
 InstrumentRecord recordOf(const Session& session) {
   const Instrument& own = session.instrument;
+  const auto circle = verticalCircleEntry(session.geometry.verticalCircle);
   InstrumentRecord record{.name = own.name,
                           .serial = own.serial,
                           .certificate = own.certificate,
                           .traceability = own.traceability,
                           .date = own.record.date.empty() ? session.measuredOn : own.record.date,
+                          .verticalCircle = circle ? keyOf(*circle) : "",
                           .sigmaHorizontalArcsec = own.sigmaHorizontalArcsec,
                           .sigmaVerticalArcsec = own.sigmaVerticalArcsec,
                           .sigmaZeroArcsec = own.sigmaZeroArcsec,

@@ -172,6 +172,12 @@ std::string sentenceOf(const SeriesAdvice& advice) {
   return {};
 }
 
+std::string bothCirclesSentence() {
+  return Phrase::of(
+      "Some sessions have an elevation circle, others a zenith circle: all sizes of errors of the vertical "
+      "circle are those on a zenith circle.");
+}
+
 std::vector<Finding> findingsOf(const SeriesDiagnosis& series) {
   std::vector<Finding> findings;
   const auto add = [&](std::string text, std::string remedy) {
@@ -179,6 +185,7 @@ std::vector<Finding> findingsOf(const SeriesDiagnosis& series) {
   };
   for (const SeriesCopy& copy : series.copies)
     findings.push_back({.severity = Severity::Note, .text = copySentence(copy.file, copy.first)});
+  if (series.hasBothCircles) findings.push_back({.severity = Severity::Note, .text = bothCirclesSentence()});
   if (series.withoutInstrument > 0)
     add(Phrase::of("%1 of %2 sessions do not state the serial number of their instrument: no instrument "
                    "effect is assumed to be common to them.",

@@ -11,6 +11,9 @@ namespace alidade {
 
 // Sentences on a series of sessions.
 
+/// How sizes are given if sessions have vertical circles of both kinds.
+std::string bothCirclesSentence();
+
 /// "instrument T-1", "guideway G-1", "the session by itself".
 std::string ownerText(const SharedCause& cause);
 /// "radius along the guideway (7 periods in a turn), guideway G-1".

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <map>
 
+#include "core/session/other_circle.h"
 #include "core/session/readings_digest.h"
 
 namespace alidade {
@@ -15,7 +16,13 @@ bool allShare(const std::vector<Epoch>& epochs, bool (*same)(const Epoch&, const
 }
 
 DatedValue dated(const Epoch& epoch, double value, double u) {
-  return {epoch.date, epoch.day, value, u, u, epoch.title, 0, 0};
+  return {.date = epoch.date,
+          .day = epoch.day,
+          .value = value,
+          .u = u,
+          .apart = u,
+          .of = epoch.title,
+          .file = epoch.file};
 }
 
 /// The tolerance of the latest session that has one.
@@ -39,6 +46,8 @@ DeviceHistory historyOfDevice(std::vector<Epoch> epochs) {
   std::ranges::stable_sort(epochs, {}, &Epoch::day);
   DeviceHistory device{.name = epochs.front().device, .serial = epochs.front().deviceSerial};
   device.hasOneInstrument = allShare(epochs, haveOneInstrument);
+  device.hasBothCircles =
+      !allShare(epochs, [](const Epoch& one, const Epoch& other) { return one.circle == other.circle; });
   device.quantities.push_back({"intersection", "mm", intersectionHistory(epochs)});
   device.quantities.push_back(ofFit(epochs));
   FoundQuantities lengths, causes;
@@ -46,8 +55,13 @@ DeviceHistory historyOfDevice(std::vector<Epoch> epochs) {
     for (std::size_t i = 0; i < epoch.lengths.size(); ++i)
       lengths.add(epoch.lengths[i].id, "mm",
                   dated(epoch, epoch.lengths[i].value, std::sqrt(epoch.covariance(i, i))));
-    for (const EpochCause& cause : epoch.causes)
-      causes.add(cause.effect + ": " + cause.parameter, cause.unit, dated(epoch, cause.value, cause.u));
+    for (const EpochCause& cause : epoch.causes) {
+      const bool isOther = device.hasBothCircles && epoch.circle == VerticalCircle::Elevation;
+      const OnOtherCircle on = (isOther ? onOtherCircle(cause.effect, cause.parameter) : std::nullopt)
+                                   .value_or(OnOtherCircle{cause.parameter});
+      causes.add(cause.effect + ": " + on.parameter, cause.unit,
+                 dated(epoch, on.sign * cause.value, cause.u));
+    }
   }
   lengths.moveTo(device.quantities, epochs.back().coverage);
   causes.moveTo(device.quantities, epochs.back().coverage);

@@ -16,7 +16,9 @@ struct DeviceHistory {
   std::vector<Epoch> epochs = {};                ///< by date, like the values of the first quantity
   std::vector<QuantityHistory> quantities = {};  ///< the intersection is the first
   std::vector<Congruence> congruences = {};      ///< of the pairs from `pairsOf`
-  bool hasOneInstrument = false;                 ///< all sessions have the same instrument serial number
+  /// Sessions have vertical circles of both kinds. Sizes of their errors are then those on a zenith circle.
+  bool hasBothCircles = false;
+  bool hasOneInstrument = false;  ///< all sessions have the same instrument serial number
 };
 
 /// Epochs grouped by device (its serial number, else its name), sorted by date and, within a date, in the

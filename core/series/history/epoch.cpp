@@ -58,7 +58,8 @@ Epoch epochOf(const std::string& file, const Session& session, const Measurement
       .deviceSerial = session.device.serial,
       .instrument = session.instrument.name,
       .instrumentSerial = session.instrument.serial,
-      .coverage = measurement.coverage};
+      .coverage = measurement.coverage,
+      .circle = measurement.verticalCircle};
   if (const Result<HistoryDate> date = parseHistoryDate(session.measuredOn)) {
     epoch.date = date->text;
     epoch.day = date->day;

@@ -48,7 +48,8 @@ struct Epoch {
   std::vector<EpochLength> lengths = {};   ///< of the fit; a length shared by both positions occurs once
   SquareMatrix covariance = {};            ///< of `lengths`, mm², scaled by the residuals
   double degreesOfFreedom = 0;             ///< of the scale of `covariance`; may be infinite
-  std::vector<EpochCause> causes = {};
+  VerticalCircle circle = VerticalCircle::Zenith;
+  std::vector<EpochCause> causes = {};  ///< sizes on the session's own circle
   std::optional<Verdict> verdict = {};
   Judgement judgement = {};
   std::optional<double> tolerance = {};  ///< mm; of Δd

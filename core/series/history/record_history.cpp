@@ -4,6 +4,8 @@
 
 #include "core/base/number_text.h"
 #include "core/series/history/history_date.h"
+#include "core/session/entry.h"
+#include "core/session/other_circle.h"
 
 namespace alidade {
 
@@ -19,13 +21,20 @@ double dayOf(const InstrumentRecord& record) {
   return date ? date->day : 0;
 }
 
-void addConstants(FoundQuantities& constants, const InstrumentRecord& record) {
+bool isOfElevations(const InstrumentRecord& record) {
+  const auto circle = verticalCircleEntry(record.verticalCircle);
+  return circle && *circle == VerticalCircle::Elevation;
+}
+
+/// `asOfZenith`: the sizes are converted to those on a zenith circle.
+void addConstants(FoundQuantities& constants, const InstrumentRecord& record, bool asOfZenith) {
   const auto add = [&](const std::string& id, const std::string& unit, const std::string& value,
                        const std::string& sigma) {
     const Result<double> read = parseNumber(value), u = parseNumber(sigma);
     if (read && u) constants.add(id, unit, {record.date, dayOf(record), *read, *u, *u, {}, 0, 0});
   };
-  for (const KnownSize& size : record.known)
+  const bool isOther = asOfZenith && isOfElevations(record);
+  for (const KnownSize& size : isOther ? onOtherCircle(record.known) : record.known)
     add(size.parameter.empty() ? size.effect : size.effect + ": " + size.parameter, size.unit,
         size.value.empty() ? "0" : size.value, size.sigma);
   const LineOfSight& sight = record.lineOfSight;
@@ -56,7 +65,10 @@ InstrumentHistories instrumentHistories(const std::vector<KeptRecord>& records) 
     instrument.name = instrument.records.back().record.name;
     instrument.serial = instrument.records.back().record.serial;
     FoundQuantities constants;
-    for (const KeptRecord& kept : instrument.records) addConstants(constants, kept.record);
+    const auto ofElevations = std::ranges::count_if(
+        instrument.records, [](const KeptRecord& kept) { return isOfElevations(kept.record); });
+    const bool areOfBoth = ofElevations > 0 && ofElevations < std::ssize(instrument.records);
+    for (const KeptRecord& kept : instrument.records) addConstants(constants, kept.record, areOfBoth);
     constants.moveTo(instrument.quantities, usualCoverage);
   }
   return histories;

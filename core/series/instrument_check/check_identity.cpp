@@ -11,7 +11,8 @@ Result<CheckIdentity> identityOf(const CheckIdentity& typed, const CheckIdentity
   CheckIdentity identity{.name = either(typed.name, read.name),
                          .serial = either(typed.serial, read.serial),
                          .measuredOn = either(typed.measuredOn, read.measuredOn),
-                         .due = typed.due};
+                         .due = typed.due,
+                         .circle = read.circle};
   if (const auto problem = dateProblem(typed.measuredOn))
     return Problem{Phrase::of("The day of the check %1", problem->what)};
   if (dateProblem(identity.measuredOn)) identity.measuredOn.clear();

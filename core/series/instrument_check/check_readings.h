@@ -18,6 +18,7 @@ struct CheckIdentity {
   std::string name = {}, serial = {};
   std::string measuredOn = {};
   std::string due = {};  ///< day of the next check
+  VerticalCircle circle = VerticalCircle::Zenith;
 
   bool operator==(const CheckIdentity&) const = default;
 };

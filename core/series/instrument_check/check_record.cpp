@@ -5,6 +5,7 @@
 #include <numbers>
 
 #include "core/base/number_text.h"
+#include "core/session/entry.h"
 
 namespace alidade {
 
@@ -29,8 +30,11 @@ LineOfSight lineOfSightOf(const InstrumentCheck& check) {
 }  // namespace
 
 InstrumentRecord checkedRecord(const InstrumentCheck& check, const CheckIdentity& identity) {
-  InstrumentRecord record{
-      .name = identity.name, .serial = identity.serial, .date = identity.measuredOn, .due = identity.due};
+  InstrumentRecord record{.name = identity.name,
+                          .serial = identity.serial,
+                          .date = identity.measuredOn,
+                          .due = identity.due,
+                          .verticalCircle = keyOf(identity.circle)};
   const auto sigmaText = [](const CheckScatter& scatter) {
     return scatter.s() > 0 ? shortestText(rounded(scatter.s() * std::numbers::sqrt2)) : std::string();
   };
@@ -38,11 +42,11 @@ InstrumentRecord checkedRecord(const InstrumentCheck& check, const CheckIdentity
   record.sigmaVerticalArcsec = sigmaText(check.vertical);
   record.lineOfSight = lineOfSightOf(check);
   const auto addKnown = [&](const char* effect, const PairMean& mean) {
-    constexpr double leastU = 1e-3;
-    if (!(mean.u > 0)) return;
+    constexpr double leastU = 1e-3;  // below it, the readings repeat exactly and show no scatter
+    if (!(mean.u >= leastU)) return;
     record.known.push_back({.effect = effect,
                             .value = shortestText(rounded(mean.value)),
-                            .sigma = shortestText(std::max(rounded(mean.u), leastU)),
+                            .sigma = shortestText(rounded(mean.u)),
                             .unit = "arcsec",
                             .from = std::string(fromInstrumentCheck),
                             .date = identity.measuredOn});

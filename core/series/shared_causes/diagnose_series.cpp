@@ -13,6 +13,7 @@
 #include "core/series/shared_causes/offered_effects.h"
 #include "core/series/shared_causes/series_conclusion.h"
 #include "core/session/entry.h"
+#include "core/session/other_circle.h"
 #include "core/session/readings_digest.h"
 
 namespace alidade {
@@ -50,6 +51,12 @@ std::vector<std::size_t> firstsOf(const std::vector<SeriesSession>& sessions) {
   std::vector<std::string> digests;
   for (const SeriesSession& session : sessions) digests.push_back(session.readings);
   return firstsAlike(digests);
+}
+
+bool haveBothCircles(const std::vector<SeriesSession>& sessions) {
+  return std::ranges::any_of(sessions, [&](const SeriesSession& session) {
+    return session.measurement.verticalCircle != sessions.front().measurement.verticalCircle;
+  });
 }
 
 void noteCopy(SeriesOutcome& outcome, const std::vector<SeriesSession>& sessions, std::size_t copy,
@@ -108,6 +115,18 @@ SeriesSession seriesSession(std::string name, const Session& session, Measuremen
 Result<SeriesOutcome, DiagnosisFault> diagnoseSeries(const std::vector<SeriesSession>& sessions,
                                                      const SeriesOptions& options,
                                                      const std::stop_token& stop) {
+  if (haveBothCircles(sessions)) {
+    std::vector<SeriesSession> alike = sessions;
+    for (SeriesSession& session : alike)
+      session.measurement = withZenithCircle(std::move(session.measurement));
+    if (!haveBothCircles(alike)) {
+      auto found = diagnoseSeries(alike, options, stop);
+      if (!found) return found;
+      SeriesOutcome outcome = *std::move(found);
+      outcome.diagnosis.hasBothCircles = true;
+      return outcome;
+    }
+  }
   const DiagnosisFault stopped = Stopped{};
   const DiagnosisOptions alone{.without = options.without};
   const std::size_t threads = threadsOrAll(options.threads);

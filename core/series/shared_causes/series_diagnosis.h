@@ -118,7 +118,10 @@ struct SeriesDiagnosis {
   std::vector<OfferedEffect> offered;                      ///< the form found in most sessions first
   std::vector<SeriesMember> sessions;                      ///< in order of measurement
   std::size_t withoutInstrument = 0, withoutGuideway = 0;  ///< sessions without a serial
-  std::vector<SeriesCopy> copies;                          ///< files that are not used, in the order given
+  /// Sessions have vertical circles of both kinds. All sizes of their errors are then those on a zenith
+  /// circle.
+  bool hasBothCircles = false;
+  std::vector<SeriesCopy> copies;  ///< files that are not used, in the order given
 };
 
 }  // namespace alidade

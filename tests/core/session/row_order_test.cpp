@@ -34,6 +34,19 @@ TEST(FirstSequences, FollowTheFileWhereAnAxisComesAgain) {
   EXPECT_EQ(positionsAsTaken(withAxes({{"180", 5}, {"0", 17}, {"", 2}})), (Sequences{1, 0, 2}));
 }
 
+TEST(FirstSequences, FollowTheClockIfEachPositionHasATime) {
+  Session session = withAxes({{"0", 2}, {"180", 3}});
+  const auto setTimes = [&](std::size_t position, const char* hour) {
+    for (Reading& row : session.positions[position].readings)
+      row.takenAt = std::string("2026-03-01T") + hour + ":00:00Z";
+  };
+  setTimes(0, "12");
+  EXPECT_EQ(positionsAsTaken(session), (Sequences{0, 1})) << "180° has no times";
+  setTimes(1, "10");
+  EXPECT_EQ(positionsAsTaken(session), (Sequences{1, 0}));
+  EXPECT_EQ(firstSequences(session), (Sequences{3, 0}));
+}
+
 // Wrongly typed positions keep their place among the others.
 TEST(FirstSequences, KeepsTheOrderOfTheFileOtherwise) {
   EXPECT_EQ(firstSequences(withAxes({{"", 3}, {"180", 5}, {"0", 17}})), (Sequences{17, 20, 0}));

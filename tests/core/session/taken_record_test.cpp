@@ -52,6 +52,27 @@ TEST(TakenRecord, ReplacesWhatWasKnownOfTheSameNumberAndFromAnotherRecord) {
             "instrument record new.alidade-instrument of 2026-03-01: check");
 }
 
+// The index of a zenith circle is the negative one of an elevation circle that counts the other way.
+TEST(TakenRecord, IsConvertedToTheCircleOfTheSession) {
+  InstrumentRecord record = recordOfT1();
+  record.known = {{"vertical_index", "", "30", "0.5", "arcsec"}};
+  const auto taken = [&](const char* ofRecord, const char* ofSession) {
+    record.verticalCircle = ofRecord;
+    Session session = blankSession();
+    session.geometry.verticalCircle = ofSession;
+    EXPECT_FALSE(takeRecord(session, record, "r"));
+    return session.instrument.known.at(0).value;
+  };
+  EXPECT_EQ(taken("zenith", ""), "30");
+  EXPECT_EQ(taken("zenith", "elevation"), "-30");
+  EXPECT_EQ(taken("elevation", "zenith"), "-30");
+  EXPECT_EQ(taken("elevation", "elevation"), "30");
+  EXPECT_EQ(taken("", "elevation"), "30") << "an old record does not state its circle";
+  Session session = blankSession();
+  session.geometry.verticalCircle = "elevation";
+  EXPECT_EQ(recordOf(session).verticalCircle, "elevation");
+}
+
 TEST(TakenRecord, KeepsBothOfTwoEntriesOfOneNumber) {
   InstrumentRecord record = recordOfT1();
   record.known = {{"collimation", "", "3", "1", "arcsec"}, {"collimation", "", "4", "1", "arcsec"}};
@@ -86,6 +107,7 @@ TEST(TakenRecord, ComesOutAgainAsItWentIn) {
   ASSERT_FALSE(takeRecord(session, record, "r"));
   record.sigmaZeroArcsec = session.instrument.sigmaZeroArcsec;
   record.known[1].date = record.date;
+  record.verticalCircle = "zenith";
   EXPECT_EQ(recordOf(session), record);
 }
 

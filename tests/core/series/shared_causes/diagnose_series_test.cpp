@@ -61,6 +61,23 @@ void tiltTrunnion(Truth& truth, std::size_t) {
   truth.effects = {{ErrorTerm::TrunnionTilt, 4}};
 }
 
+// One error of an instrument reads with opposite signs on circles of both kinds.
+TEST(DiagnoseSeries, SharesAnErrorOfTheVerticalCircleBetweenBothKinds) {
+  const auto put = [](Truth& truth, std::size_t s) {
+    const bool isElevation = s % 2 == 1;
+    truth.effects = {{ErrorTerm::VerticalIndex, isElevation ? -12.0 : 12.0}};
+    if (!isElevation) return;
+    truth.verticalCircle = VerticalCircle::Elevation;
+    truth.verticalZero = Angle();
+  };
+  const SeriesDiagnosis series = answerTo(drawn({.count = 6, .put = put}));
+  ASSERT_EQ(series.causes.size(), 1u);
+  EXPECT_EQ(series.causes[0].cause.effect, "vertical_index");
+  const CauseParameter& index = series.causes[0].cause.parameters.front();
+  EXPECT_NEAR(index.value, 12, 3.3 * index.sigma);
+  EXPECT_TRUE(series.hasBothCircles);
+}
+
 TEST(DiagnoseSeries, NamesWhatNoSessionShowsAlone) {
   const SeriesDiagnosis series = answerTo(drawn({.put = tiltTrunnion}));
   ASSERT_EQ(series.causes.size(), 1u);
