@@ -70,6 +70,12 @@ double seenScatter(const History& history, double chiSquare, double freedom) {
   return freedom > 0 ? std::max(history.leastScatter, std::sqrt(chiSquare / freedom)) : 1;
 }
 
+/// U of a result of standard uncertainty `u`, which contains the scatter s.
+double expandedBy(const History& history, double u, double scatter, double freedom) {
+  const bool isObserved = freedom > 0 && scatter > history.leastScatter;
+  return (isObserved ? coverageFactor(history.coverage, freedom) : history.factor) * u;
+}
+
 std::optional<HistoryTrend> trendOf(const History& history) {
   const double mean = history.mean.value;
   double w = 0, wt = 0;
@@ -92,7 +98,9 @@ std::optional<HistoryTrend> trendOf(const History& history) {
     chiSquare += weightOf(value) *
                  std::pow(value.value - mean - trend.perYear * (value.day - trend.meanDay) / daysPerYear, 2);
   const auto freedom = static_cast<double>(history.values.size()) - 2;
-  trend.u = trend.stated * seenScatter(history, chiSquare, freedom);
+  const double scatter = seenScatter(history, chiSquare, freedom);
+  trend.u = trend.stated * scatter;
+  trend.expanded = expandedBy(history, trend.u, scatter, freedom);
   return trend;
 }
 
@@ -139,12 +147,14 @@ void addSteps(History& history, const SteppingEvidence& found, const std::vector
   history.scatter = seenScatter(history, chiSquare, freedom);
   for (std::size_t i = 0; i + 1 < levels.size(); ++i) {
     const auto [earliest, latest] = likelyPlaces(found.places[i], found.stepping.firsts[i]);
+    const double u = history.scatter * std::sqrt(levels[i].variance + levels[i + 1].variance);
     history.steps.push_back({.first = bounds[i + 1],
                              .date = history.values[bounds[i + 1]].date,
                              .earliest = firstOfDate[earliest],
                              .latest = firstOfDate[latest],
                              .size = levels[i + 1].mean - levels[i].mean,
-                             .u = history.scatter * std::sqrt(levels[i].variance + levels[i + 1].variance),
+                             .u = u,
+                             .expanded = expandedBy(history, u, history.scatter, freedom),
                              .valuesBefore = levels[i].count,
                              .valuesAfter = levels[i + 1].count});
   }
@@ -237,7 +247,10 @@ History historyOf(std::vector<DatedValue> values, double shared, double coverage
   history.scatter = std::max(1.0, history.birgeRatio);
   history.leastScatter = leastScatterOf(history.values);
   history.mean.u = std::sqrt(variance + shared * shared);
+  history.mean.expanded = history.factor * history.mean.u;
   history.mean.scattered = std::sqrt(std::pow(history.scatter, 2) * variance + shared * shared);
+  history.mean.scatteredExpanded =
+      expandedBy(history, history.mean.scattered, history.scatter, history.degreesOfFreedom);
   history.trend = trendOf(history);
   setBaseline(history, 0);
   judge(history);

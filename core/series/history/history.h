@@ -36,6 +36,7 @@ struct DatedValue {
   double least = 0;
   double expanded = 0;  ///< U at the history's coverage, for pictures and tables; 0: `factor` u
   Judgement judgement = {};
+  std::string file = {};  ///< of the session; empty for a value of a table
 };
 
 /// The course of the quantity.
@@ -49,20 +50,23 @@ struct HistoryStep {
   std::size_t first = 0;                          ///< index of the first value after the step
   std::string date;                               ///< date of the first value after the step
   std::size_t earliest = 0, latest = 0;           ///< 95 % range of `first`
-  double size = 0, u = 0;                         ///< level after minus level before, and its u
+  double size = 0, u = 0, expanded = 0;           ///< level after minus level before, its u and its U
   std::size_t valuesBefore = 0, valuesAfter = 0;  ///< number of values in the two levels
 };
 
 struct HistoryMean {
   double value = 0;
   double u = 0;          ///< from the stated u, including the part common to all values
+  double expanded = 0;   ///< U from `u`
   double scattered = 0;  ///< from the observed scatter if it is larger than stated, else equal to `u`
+  double scatteredExpanded = 0;
 };
 
 /// The line x = `atMean` + `perYear` t, t in years from `meanDay`, fitted with weights 1/u².
 struct HistoryTrend {
   double perYear = 0;
   double u = 0;                    ///< from the larger of stated and observed scatter about the line
+  double expanded = 0;             ///< U from `u`
   double stated = 0;               ///< from the stated scatter only
   double atMean = 0, meanDay = 0;  ///< a point on the line
 };
@@ -97,9 +101,9 @@ inline constexpr double limitSigmas = 3;
 inline constexpr double oddsForChange = 5;
 
 struct History {
-  std::vector<DatedValue> values;        ///< by date; within a date in the order given
-  double coverage = 0.95;                ///< of each U in the history
-  double factor = 1;                     ///< coverage factor of a normal distribution: U = `factor` u
+  std::vector<DatedValue> values;  ///< by date; within a date in the order given
+  double coverage = 0.95;          ///< of each U in the history
+  double factor = 1;  ///< coverage factor of a normal distribution; U from an observed scatter has Student's
   std::optional<double> tolerance = {};  ///< limit of |value|, if there is one
   HistoryMean mean;
   double chiSquare = 0;

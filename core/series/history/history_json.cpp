@@ -66,7 +66,7 @@ Json seriesJson(const History& history, const std::string& unit) {
                 {{"value", history.mean.value},
                  {"u", history.mean.u},
                  {"u_scattered", history.mean.scattered},
-                 {"expanded_uncertainty", history.factor * history.mean.u}}},
+                 {"expanded_uncertainty", history.mean.expanded}}},
                {"chi2", history.chiSquare},
                {"dof", history.degreesOfFreedom},
                {"p_value", history.chance ? Json(*history.chance) : Json()},

@@ -9,6 +9,7 @@
 #include "core/base/phrase.h"
 #include "core/base/visible_text.h"
 #include "core/wording/effect_name.h"
+#include "core/wording/series_words.h"
 #include "core/wording/verdict.h"
 
 namespace alidade {
@@ -50,7 +51,7 @@ std::string agreement(const History& history) {
 }
 
 std::string stepSentence(const History& history, const HistoryStep& step, const HistoryNumbers& numbers) {
-  const std::string size = numbers.withUncertainty(std::abs(step.size), step.u);
+  const std::string size = numbers.withUncertainty(std::abs(step.size), step.expanded);
   const std::string sized = step.size > 0
                                 ? Phrase::of("From %1 on the value is larger by %2.", step.date, size)
                                 : Phrase::of("From %1 on the value is smaller by %2.", step.date, size);
@@ -80,7 +81,7 @@ std::vector<std::string> courseSentences(const History& history, const HistoryNu
       break;
     case Course::Trend:
       sentences.push_back(Phrase::of("The value changes steadily, by %1.",
-                                     numbers.ratePerYear(history.trend->perYear, history.trend->u)));
+                                     numbers.ratePerYear(history.trend->perYear, history.trend->expanded)));
       break;
     case Course::OddValue:
       sentences.push_back(
@@ -117,7 +118,7 @@ std::string watchSentence(const History& history, const HistoryNumbers& numbers)
           ? Phrase::of("Baseline: the value of %1, %2.", values.front().date, numbers.withUnit(chart.centre))
           : Phrase::of("Baseline: %1 values from %2 to %3, centre line %4.", chart.baseline,
                        values.front().date, values[chart.baseline - 1].date,
-                       numbers.withUncertainty(chart.centre, chart.centreU));
+                       numbers.withUncertainty(chart.centre, history.factor * chart.centreU));
   const auto watched = chart.points.begin() + static_cast<std::ptrdiff_t>(chart.baseline);
   const auto out = std::find_if(watched, chart.points.end(), [](const auto& point) { return point.isOut; });
   const auto drifted =
@@ -144,11 +145,10 @@ std::string whenAndWhat(const Epoch& epoch) {
 
 }  // namespace
 
-HistoryNumbers::HistoryNumbers(const History& history, std::string unit)
-    : m_factor(history.factor), m_unit(std::move(unit)) {
+HistoryNumbers::HistoryNumbers(const History& history, std::string unit) : m_unit(std::move(unit)) {
   double largest = 0;
   for (const DatedValue& value : history.values) largest = std::max(largest, std::abs(value.value));
-  const double least = m_factor * leastU(history);
+  const double least = history.factor * leastU(history);
   // Numbers between these limits are readable without a power of ten.
   constexpr double tooSmall = 1e-6, tooLarge = 1e7;
   if (largest >= tooLarge || (least < tooSmall && largest < 1))
@@ -177,14 +177,12 @@ std::string HistoryNumbers::exact(double value) const {
   return m_unit.empty() ? text : text + (m_power != 0 ? " × " : " ") + m_unit;
 }
 
-std::string HistoryNumbers::withUncertainty(double value, double u) const {
-  const double expanded = m_factor * u;
+std::string HistoryNumbers::withUncertainty(double value, double expanded) const {
   const int decimals = std::max(m_decimals, decimalsFor(expanded * scale(), m_decimals));
   return withUnit(value, decimals, "") + " ± " + withUnit(expanded, decimals, "");
 }
 
-std::string HistoryNumbers::ratePerYear(double value, double u) const {
-  const double expanded = m_factor * u;
+std::string HistoryNumbers::ratePerYear(double value, double expanded) const {
   const int decimals = decimalsFor(expanded * scale(), m_decimals);
   const std::string suffix = m_unit.empty() ? "1/a" : "/a";
   return withUnit(value, decimals, suffix) + " ± " + withUnit(expanded, decimals, suffix);
@@ -206,7 +204,7 @@ std::vector<std::string> historySentences(const History& history, const std::str
   const HistoryNumbers numbers(history, unit);
   std::vector<std::string> sentences;
   if (history.chart.baseline < history.values.size()) sentences.push_back(watchSentence(history, numbers));
-  const std::string mean = numbers.withUncertainty(history.mean.value, history.mean.u);
+  const std::string mean = numbers.withUncertainty(history.mean.value, history.mean.expanded);
   sentences.push_back(history.values.size() == 1
                           ? Phrase::of("Value: %1 (%2).", mean, plusMinusText(history))
                           : Phrase::of("Weighted mean of %1 values: %2 (%3).", history.values.size(), mean,
@@ -217,14 +215,16 @@ std::vector<std::string> historySentences(const History& history, const std::str
       *history.chance < leastChance) {
     if (history.course == Course::Constant)
       sentences.push_back(Phrase::of("From the observed scatter, the expanded uncertainty of the mean is %1.",
-                                     numbers.withUnit(history.factor * history.mean.scattered)));
+                                     numbers.withUnit(history.mean.scatteredExpanded)));
   }
   if (const std::string others = rivals(history); !others.empty())
     sentences.push_back(Phrase::of("Probability of each explanation of the values: %1.", others));
   return sentences;
 }
 
-std::string sharedSentence(const DeviceHistory& device) {
+namespace {
+
+std::string sharedErrors(const DeviceHistory& device) {
   if (device.epochs.size() < 2) return Phrase::of("There is one session: it cannot be compared.");
   if (device.serial.empty())
     return Phrase::of(
@@ -237,6 +237,14 @@ std::string sharedSentence(const DeviceHistory& device) {
   return Phrase::of(
       "The sessions were not all taken with the same instrument, or do not state its serial number: "
       "instrument errors are assumed to change Δd differently in each session.");
+}
+
+}  // namespace
+
+std::string sharedSentence(const DeviceHistory& device) {
+  std::string text = sharedErrors(device);
+  if (device.hasBothCircles) text += " " + bothCirclesSentence();
+  return text;
 }
 
 std::vector<std::string> congruenceSentences(const std::vector<Epoch>& epochs, const Congruence& congruence) {

@@ -15,17 +15,16 @@ class HistoryNumbers {
   /// `unit`: may be empty.
   HistoryNumbers(const History& history, std::string unit);
 
-  std::string number(double value) const;                     ///< "1.308"
-  std::string withUnit(double value) const;                   ///< "1.308 mm", "6.6743 × 10⁻¹¹ m³"
-  std::string exact(double value) const;                      ///< "0.5 mm": a number that someone stated
-  std::string withUncertainty(double value, double u) const;  ///< "1.308 mm ± 0.042 mm", u being 0.021 mm
-  std::string ratePerYear(double value, double u) const;      ///< "0.120 mm/a ± 0.040 mm/a"
+  std::string number(double value) const;    ///< "1.308"
+  std::string withUnit(double value) const;  ///< "1.308 mm", "6.6743 × 10⁻¹¹ m³"
+  std::string exact(double value) const;     ///< "0.5 mm": a number that someone stated
+  std::string withUncertainty(double value, double expanded) const;  ///< "1.308 mm ± 0.042 mm"
+  std::string ratePerYear(double value, double expanded) const;      ///< "0.120 mm/a ± 0.040 mm/a"
   /// The power of ten by which a number is multiplied before it is shown.
   double scale() const;
   std::string heading() const;  ///< "mm", "10⁻¹¹ m³", or empty: heads a column of numbers
 
  private:
-  double m_factor;  ///< from u to U
   int m_power = 0, m_decimals = 3;
   std::string m_unit;  ///< preceded by the power of ten
 

@@ -149,10 +149,10 @@ Statement quantityTable(const DeviceHistory& device) {
     const auto& trend = history.trend;
     statement.rows.push_back(
         {{quantityName(quantity.id), std::to_string(history.values.size()),
-          numbers.withUncertainty(history.mean.value, history.mean.u),
+          numbers.withUncertainty(history.mean.value, history.mean.expanded),
           history.chance ? displayText(history.chiSquare, 1) : "—",
           history.chance ? chanceCell(*history.chance) : "—",
-          trend ? numbers.ratePerYear(trend->perYear, trend->u) : "—", courseText(history)}});
+          trend ? numbers.ratePerYear(trend->perYear, trend->expanded) : "—", courseText(history)}});
   }
   return statement;
 }

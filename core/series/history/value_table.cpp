@@ -78,8 +78,30 @@ bool namesDate(const std::string& name) {
          isOneOf(name, {"time", "t", "when", "day"});
 }
 
+bool namesExpanded(const std::string& name) {
+  return holdsAny(name, {"expanded", "erweitert", "扩展"});
+}
+
+/// The coverage factor that a heading states as `k=2` or `k = 2.5`.
+std::optional<double> factorIn(const std::string& name) {
+  std::string plain = name;
+  std::erase(plain, ' ');
+  const std::size_t at = plain.find("k=");
+  if (at == std::string::npos) return std::nullopt;
+  const std::size_t end = plain.find_first_not_of("0123456789.,", at + 2);
+  const Result<double> factor = parseNumber(plain.substr(at + 2, end - at - 2));
+  return factor && *factor > 0 ? std::optional(*factor) : std::nullopt;
+}
+
+/// Does the heading begin with the symbol of an expanded uncertainty, as in `U`, `U (mm)`, `U95`?
+bool beginsWithU(const std::string& written) {
+  const auto isLetter = [](char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z'); };
+  return written.starts_with('U') && (written.size() == 1 || !isLetter(written[1]));
+}
+
 bool namesUncertainty(const std::string& name) {
-  return holdsAny(name,
+  return namesExpanded(name) || name.starts_with("u9") || (name.starts_with("u") && factorIn(name)) ||
+         holdsAny(name,
                   {"uncert", "unsich", "sigma", "error", "standard dev", "std", "不确定度", "σ", "±"}) ||
          isOneOf(name, {"u", "s", "sd", "se", "unc", "err", "unc."}) || name.starts_with("u(") ||
          name.starts_with("u_") || name.starts_with("u [") || name.starts_with("u (") ||
@@ -164,7 +186,8 @@ class Reader {
         m_columns.date = i;
       } else if (!m_columns.u && namesUncertainty(name)) {
         m_columns.u = i;
-        if (holdsAny(name, {"expanded", "erweitert", "k=2", "k = 2", "扩展"})) m_columns.factor = 2;
+        const bool isExpanded = namesExpanded(name) || (beginsWithU(written) && holdsAny(name, {"9", "%"}));
+        m_columns.factor = factorIn(name).value_or(isExpanded ? 2 : 1);
       } else if (!m_columns.value && namesValue(name)) {
         m_columns.value = i;
         m_columns.unit = unitIn(written);
@@ -195,13 +218,17 @@ class Reader {
     }
     if (!m_columns.u) m_columns.u = firstFree(number);
     m_content.unit = m_columns.unit;
-    if (m_columns.factor > 1)
+    if (!m_columns.u || *m_columns.u >= m_names.size()) return;
+    const std::string& written = m_names[*m_columns.u];
+    if (m_columns.factor != 1)
+      m_content.remarks.push_back(
+          Phrase::of("the column %1 holds expanded uncertainties: each is divided by %2 to give the standard "
+                     "uncertainty",
+                     quotation(written), displayShortest(m_columns.factor)));
+    else if (beginsWithU(written) && !factorIn(lowerCase(written)))
       m_content.remarks.push_back(Phrase::of(
-          "the column %1 holds expanded uncertainties: half of each is taken as the standard uncertainty",
-          quotation(m_names[*m_columns.u])));
-    if (m_columns.u && *m_columns.u < m_names.size() && m_names[*m_columns.u] == "U")
-      m_content.remarks.push_back(Phrase::of(
-          "the column U is read as standard uncertainties (k = 1): halve the values if they are expanded"));
+          "the column %1 is read as standard uncertainties (k = 1): halve the values if they are expanded",
+          quotation(written)));
   }
 
   static Problem at(const CsvRow& row, const CsvCell* cell, std::string what) {

@@ -271,8 +271,8 @@ QString HistoryPlot::describe(const Mark& mark) const {
                         qText(numbers.withUnit(point.shewhart)), point.isOut ? tr(": outside") : QString()));
   for (const HistoryStep& step : m_history.steps)
     if (step.first == mark.index)
-      lines.append(
-          tr("the first value after a step of %1").arg(qText(numbers.withUncertainty(step.size, step.u))));
+      lines.append(tr("the first value after a step of %1")
+                       .arg(qText(numbers.withUncertainty(step.size, step.expanded))));
   if (m_history.oddValue == mark.index) lines.append(tr("an outlier"));
   for (const std::string* judged : {&value.judgement.verdict, &value.judgement.condition})
     if (!judged->empty()) lines.append(qText(*judged));

@@ -35,6 +35,19 @@ std::vector<DatedValue> stepped(std::mt19937_64& generator, std::size_t count, s
   return values;
 }
 
+// Student's factors t(1) = 12.706 and t(2) = 4.303 for an observed scatter, 1.960 for a stated one. Two
+// values 0.2 apart have a mean of u = 0.1.
+TEST(History, WidensUByTheDegreesOfFreedomOfAnObservedScatter) {
+  const History two = historyOf({at(0, 1, 0.02), at(365, 1.2, 0.02)});
+  EXPECT_NEAR(two.mean.scatteredExpanded, 12.706 * 0.1, 1e-4);
+  EXPECT_NEAR(two.mean.expanded, 1.960 * 0.02 / std::sqrt(2), 1e-5);
+  const History four =
+      historyOf({at(0, 1, 0.02), at(365, 1.16, 0.02), at(731, 1.5, 0.02), at(1096, 1.62, 0.02)});
+  EXPECT_NEAR(four.trend->expanded / four.trend->u, 4.303, 1e-3);
+  const History exact = historyOf({at(0, 1, 0.02), at(365, 1.1, 0.02), at(730, 1.2, 0.02)});
+  EXPECT_NEAR(exact.trend->expanded / exact.trend->u, 1.960, 1e-3);
+}
+
 TEST(History, HasTheMeanAndMisfitOfTheClosedForms) {
   // w = 1, 1/4, 1: mean (10 + 12/4 + 13)/2.25, χ² by hand.
   const History history = historyOf({at(0, 10, 1), at(10, 12, 2), at(20, 13, 1)});

@@ -47,11 +47,23 @@ TEST(ValueTable, FindsItsColumnsByTheirNames) {
   EXPECT_EQ(read("date,value [mm],u\n2001,1,1\n").unit, "mm");
 }
 
-TEST(ValueTable, HalvesWhatIsNamedExpanded) {
-  const ValueTable table = read("date,value,U (k=2)\n2001,1,0.5\n");
-  EXPECT_DOUBLE_EQ(table.values[0].u, 0.25);
-  EXPECT_THAT(table.remarks, ElementsAre(HasSubstr("half")));
-  EXPECT_THAT(read("date,value,U\n2001,1,0.5\n").remarks, ElementsAre(HasSubstr("k = 1")));
+TEST(ValueTable, DividesWhatIsNamedExpandedByItsFactor) {
+  for (const auto& [heading, u] : {std::pair("U (k=2)", 0.25),
+                                   {"U (k=3)", 0.5 / 3},
+                                   {"u, k = 2.5", 0.2},
+                                   {"U95", 0.25},
+                                   {"U (95 %)", 0.25},
+                                   {"expanded U", 0.25},
+                                   {"Erweiterte Messunsicherheit", 0.25}}) {
+    const ValueTable table = read(std::string("date;value;") + heading + "\n2001;1;0.5\n");
+    EXPECT_DOUBLE_EQ(table.values[0].u, u) << heading;
+    EXPECT_THAT(table.remarks, ElementsAre(HasSubstr("divided by"))) << heading;
+  }
+  for (const char* heading : {"U", "U (mm)", "U [mm]"})
+    EXPECT_THAT(read(std::string("date,value,") + heading + "\n2001,1,0.5\n").remarks,
+                ElementsAre(HasSubstr("k = 1")))
+        << heading;
+  EXPECT_THAT(read("date,value,u (k = 1)\n2001,1,0.5\n").remarks, IsEmpty());
   EXPECT_THAT(read("date,value,u\n2001,1,0.5\n").remarks, IsEmpty());
 }
 
