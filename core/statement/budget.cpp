@@ -17,6 +17,18 @@ namespace alidade {
 
 namespace {
 
+/// The σ that the pointing zeros contribute with.
+std::string zeroSentence(const SessionFit& fit) {
+  if (fit.joint.zerosAreReadings && fit.noise.factor > fit.joint.zeroScatter)
+    return Phrase::of("So are those of the pointing zeros; the distance contributes with its stated σ.");
+  if (fit.joint.zeroScatter > 1)
+    return Phrase::of(
+        "Those of the pointing zeros are %1 times their stated σ, because the sightings of the "
+        "zeros scatter so much; the distance contributes with its stated σ.",
+        displayText(fit.joint.zeroScatter, 2));
+  return Phrase::of("Pointing zeros and distance contribute with their stated σ.");
+}
+
 using Role = Statement::Column::Role;
 using Cells = std::vector<std::string>;
 
@@ -174,10 +186,11 @@ Statement centreBudget(const SessionFit& fit) {
   last.insert(last.begin(), Phrase::of("correlation with R"));
   statement.sentences = {
       std::isinf(fit.noise.degreesOfFreedom)
-          ? Phrase::of("All contributions are based on the stated noise.")
-          : Phrase::of("Contributions of the readings are scaled by their scatter, %1 times the stated "
-                       "noise. Pointing zeros and distance contribute with their stated σ.",
-                       displayText(fit.noise.factor, 2))};
+          ? Phrase::of("Contributions of the readings are based on the stated noise.")
+          : Phrase::of("Contributions of the readings are scaled by their scatter, %1 times "
+                       "the stated noise.",
+                       displayText(fit.noise.factor, 2)),
+      zeroSentence(fit)};
   statement.note = Phrase::of(
       "Correlation with R, −1 to 1: how strongly an error of the radius shifts the centre; on half an arc, R "
       "determines the height of the centre.");

@@ -40,10 +40,15 @@ std::string toleranceText(const Measurement& measurement) {
                                                       : Phrase::of("tolerance ± %1 mm", size);
 }
 
-/// "1.30 ± 0.74 mm", with enough digits for the reader to reach the same verdict.
+/// Enough digits for the reader to reach the same verdict.
+int decimalsOf(const Measurement& measurement, double value, double expanded) {
+  return measurement.tolerance ? decimalsToDecide(value, expanded, *measurement.tolerance)
+                               : decimalsFor(expanded);
+}
+
+/// "1.30 ± 0.74 mm".
 std::string figureText(const Measurement& measurement, double value, double expanded) {
-  const int decimals = measurement.tolerance ? decimalsToDecide(value, expanded, *measurement.tolerance)
-                                             : decimalsFor(expanded);
+  const int decimals = decimalsOf(measurement, value, expanded);
   return Phrase::of("%1 ± %2 mm", displayText(value, decimals), displayText(expanded, decimals));
 }
 
@@ -66,8 +71,9 @@ void setFigure(Headline& headline, const Measurement& measurement, const std::st
   headline.name = name;
   headline.figure = figureText(measurement, value, expanded);
   if (measurement.tolerance && std::isfinite(expanded))
-    headline.scale = ToleranceScale{std::abs(value), expanded, *measurement.tolerance,
-                                    name == distanceName ? "d ± U" : "|Δd| ± U"};
+    headline.scale =
+        ToleranceScale{std::abs(value), expanded, *measurement.tolerance,
+                       name == distanceName ? "d ± U" : "|Δd| ± U", decimalsOf(measurement, value, expanded)};
 }
 
 /// A headline with the tolerance and Δd, fit only; the other parts are still to be set.

@@ -33,11 +33,8 @@ std::string crossing(const Judged& judged, const Measurement& measurement, const
   const bool isAcross = size - expanded <= tolerance && size + expanded > tolerance;
   if (!isAcross || !isDetermined(measurement, expanded)) return "";
   const int decimals = decimalsToDecide(value, expanded, tolerance);
-  // The ends are computed from the rounded figures, so that a reader who adds these finds the same ends.
-  const double unit = std::pow(10, -decimals), shown = std::round(value / unit),
-               wide = std::round(expanded / unit);
-  return Phrase::of(text, displayText((shown - wide) * unit, decimals),
-                    displayText((shown + wide) * unit, decimals),
+  const auto [low, high] = endsAsWritten(value, expanded, decimals);
+  return Phrase::of(text, displayText(low, decimals), displayText(high, decimals),
                     displayShortest(value < 0 ? -tolerance : tolerance));
 }
 

@@ -11,6 +11,7 @@ struct ToleranceScale {
   double expanded = 0;    ///< U, finite
   double tolerance = 1;   ///< > 0
   std::string name = {};  ///< what is shown: "|Δd| ± U"
+  int decimals = 2;       ///< of value and U as written
 
   double low() const { return size > expanded ? size - expanded : 0; }
   double high() const { return size + expanded; }

@@ -179,6 +179,12 @@ int decimalsToDecide(double value, double expanded, double tolerance) {
   return decimals;
 }
 
+std::pair<double, double> endsAsWritten(double value, double expanded, int decimals) {
+  const double one = std::pow(10, decimals), shown = std::round(value * one),
+               wide = std::round(expanded * one);
+  return {(shown - wide) / one, (shown + wide) / one};
+}
+
 std::string probabilityText(double probability) {
   return boundedText(probability, Phrase::of("more than 99.9 %"), Phrase::of("less than 0.1 %"), 1);
 }

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <string>
+#include <utility>
 
 #include "core/diagnosis/decision.h"
 #include "core/wording/diagnosis_sentence.h"
@@ -23,6 +24,8 @@ std::string shortProbabilityText(double probability);
 /// Returns the decimals for value and U, mm: two digits of U, or as many more as the rounded numbers need for
 /// the same decision against `tolerance` (`decide`).
 int decimalsToDecide(double value, double expanded, double tolerance);
+/// The ends of the interval value ± U, mm, as a reader finds them from the figures rounded to `decimals`.
+std::pair<double, double> endsAsWritten(double value, double expanded, int decimals);
 
 /// The verdict of `decide` with its numbers. `expanded` ≥ 0, `tolerance` > 0, `coverage` in (0, 1).
 std::string verdictSentence(double value, double expanded, double tolerance, double coverage);

@@ -2,8 +2,10 @@
 
 #include <QFontInfo>
 #include <QPainter>
+#include <algorithm>
 #include <cmath>
 
+#include "core/wording/verdict.h"
 #include "ui/charts/plotting/tolerance_picture.h"
 #include "ui/settings/theme.h"
 #include "ui/text/quantity_text.h"
@@ -21,9 +23,10 @@ void ToleranceBar::setScale(const std::optional<ToleranceScale>& scale, bool isQ
   m_isQuiet = isQuiet;
   setVisible(scale.has_value());
   if (!scale) return;
-  const auto length = [](double millimetres) { return lengthText(millimetres, decimalsFor(millimetres)); };
+  const auto [low, high] = endsAsWritten(scale->size, scale->expanded, scale->decimals);
+  const auto length = [&](double millimetres) { return lengthText(millimetres, scale->decimals); };
   const QString text = tr("%1, from %2 to %3 with its uncertainty; the limit is %4.")
-                           .arg(length(scale->size), length(scale->low()), length(scale->high()),
+                           .arg(length(scale->size), length(std::max(low, 0.0)), length(high),
                                 plainNumberText(scale->tolerance) + QStringLiteral(" mm"));
   setToolTip(text);
   setAccessibleDescription(text);
