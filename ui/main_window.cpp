@@ -176,7 +176,8 @@ void MainWindow::connectFile() {
   connect(&m_document.halfTyped(), &HalfTyped::changed, this, &MainWindow::showTitle);
   connect(&m_watch, &FileWatch::changedElsewhere, this,
           [this](bool is) { is ? m_changedFile->showFor(m_document.displayName()) : m_changedFile->hide(); });
-  connect(&m_files, &FileFlow::writing, &m_watch, &FileWatch::setHeld);
+  connect(&m_files, &FileFlow::holding, &m_watch, &FileWatch::setHeld);
+  connect(&m_files, &FileFlow::holding, m_desk, &InstrumentDesk::setHeld);
   connect(m_changedFile, &ChangedFileBar::comparisonWanted, &m_files, &FileFlow::resolveChange);
 }
 

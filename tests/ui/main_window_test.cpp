@@ -327,6 +327,15 @@ TEST(MainWindow, HandsInWhatIsHalfTypedBeforeSaving) {
   EXPECT_FALSE(open->isWindowModified());
 }
 
+TEST(MainWindow, HandsInWhatIsHalfTypedBeforeTheNextSession) {
+  OpenWindow open;
+  field(open, "acceptance.tolerance_mm").setFocus();
+  QTest::keyClicks(&field(open, "acceptance.tolerance_mm"), QStringLiteral("0.9"));
+  open.dialogs->saveAnswer = Dialogs::SaveAnswer::Discard;
+  ASSERT_TRUE(open->files().startNext());
+  EXPECT_EQ(open->document().session().acceptance.toleranceMm, "0.9");
+}
+
 TEST(MainWindow, KeepsUnknownKeysThroughEditAndSave) {
   const QTemporaryDir folder;
   const QString path = folder.filePath(QStringLiteral("more.alidade"));

@@ -175,7 +175,7 @@ TEST_F(Typing, AReadingOfTheInstrumentWaitsForTheOpenEntry) {
   flow.add(reading);
   news();
   QCoreApplication::processEvents();
-  EXPECT_TRUE(flow.isHeld());
+  EXPECT_TRUE(flow.isHeldByEntry());
   EXPECT_EQ(flow.waiting(), 1u);
   ASSERT_EQ(editor(), typed);
   EXPECT_EQ(typed->text(), QStringLiteral("323 11"));
@@ -183,7 +183,7 @@ TEST_F(Typing, AReadingOfTheInstrumentWaitsForTheOpenEntry) {
   for (const char key : std::string(" 43")) QTest::keyClick(typed, key);
   QTest::keyClick(typed, Qt::Key_Return);
   EXPECT_TRUE(waitFor([&] { return !flow.question().isEmpty() || flow.waiting() == 0; }));
-  EXPECT_FALSE(flow.isHeld());
+  EXPECT_FALSE(flow.isHeldByEntry());
   EXPECT_EQ(this->session().positions[0].readings[2].horizontal, "323 11 43");
 }
 

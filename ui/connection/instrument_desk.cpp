@@ -60,6 +60,12 @@ void InstrumentDesk::setPositions(PositionTabs& positions) {
   m_positions = &positions;
 }
 
+void InstrumentDesk::setHeld(bool isHeld) {
+  m_isHeld = isHeld;
+  m_flow.setHeld(isHeld);
+  if (!isHeld && std::exchange(m_isIdentityDue, false)) noteIdentity();
+}
+
 TalkCircles InstrumentDesk::circles() const {
   const auto kind = verticalCircleEntry(m_document.session().geometry.verticalCircle);
   return {kind ? *kind : VerticalCircle::Zenith, circleUnitOf(m_document.session())};
@@ -113,6 +119,10 @@ void InstrumentDesk::take() {
 
 /// Names the instrument in a session that names none; otherwise compares the serial numbers.
 void InstrumentDesk::noteIdentity() {
+  if (m_isHeld) {
+    m_isIdentityDue = true;
+    return;
+  }
   const InstrumentIdentity identity = m_link.identity();
   const Instrument& stated = m_document.session().instrument;
   const bool isNew = stated.name.empty() && stated.serial.empty();
@@ -142,7 +152,7 @@ void InstrumentDesk::forgetRemark() {
 
 /// Updates the status text, which is visible from the first connection on.
 void InstrumentDesk::showState() {
-  m_status->setText(m_flow.isHeld()
+  m_status->setText(m_flow.isHeldByEntry()
                         ? tr("%1 readings wait until the open entry is accepted (Enter) or cancelled (Esc)")
                               .arg(m_flow.waiting())
                         : connectionText(m_link));

@@ -34,6 +34,9 @@ class InstrumentDesk : public QObject {
   /// The tables that receive the readings.
   void setPositions(PositionTabs& positions);
 
+  /// While `isHeld`, nothing from the instrument changes the session.
+  void setHeld(bool isHeld);
+
   void showDialog();
   /// Connects with the chosen settings, or disconnects.
   void toggle();
@@ -59,6 +62,8 @@ class InstrumentDesk : public QObject {
   InstrumentLink m_link;
   ReadingFlow m_flow;
   PositionTabs* m_positions = nullptr;
+  bool m_isHeld = false;
+  bool m_isIdentityDue = false;          ///< the instrument named itself while the session was held
   bool m_hasRemark = false;              ///< a failure is shown and nothing has succeeded since
   ConnectionDialog* m_dialog = nullptr;  ///< null until first shown
   ReadingQuestionBar* m_bar;

@@ -45,7 +45,12 @@ void ReadingFlow::add(const InstrumentReading& reading) {
   emit heldChanged();
 }
 
-bool ReadingFlow::isHeld() const {
+void ReadingFlow::setHeld(bool isHeld) {
+  m_isHeld = isHeld;
+  proceed();
+}
+
+bool ReadingFlow::isHeldByEntry() const {
   return !m_waiting.empty() && m_document.halfTyped().isOpenInPosition();
 }
 
@@ -63,7 +68,7 @@ std::optional<Landing> ReadingFlow::landing() const {
 }
 
 void ReadingFlow::proceed() {
-  if (m_waiting.empty() || !m_evaluation || !m_question.isEmpty() || isHeld()) return;
+  if (m_waiting.empty() || !m_evaluation || !m_question.isEmpty() || m_isHeld || isHeldByEntry()) return;
   const auto where = landing();
   const QString question = where ? readingQuestion(*m_evaluation, *where, m_waiting.front(), m_before)
                                  : placelessQuestion(*m_evaluation, m_waiting.front());

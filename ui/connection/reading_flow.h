@@ -35,6 +35,9 @@ class ReadingFlow : public QObject {
   /// The evaluation of the current session; the next change of the session drops it.
   void setEvaluation(const SharedEvaluation& evaluation);
 
+  /// While `isHeld`, readings wait.
+  void setHeld(bool isHeld);
+
   /// `takeAnyway` stores the reading in question, `discard` drops it.
   void takeAnyway();
   void discard();
@@ -42,7 +45,7 @@ class ReadingFlow : public QObject {
   QString question() const { return m_question; }  ///< empty: no question
   std::size_t waiting() const { return m_waiting.size(); }
   /// True if readings wait because an entry of a position is open: a reading never changes an open entry.
-  bool isHeld() const;
+  bool isHeldByEntry() const;
 
  signals:
   void questionChanged();
@@ -62,6 +65,7 @@ class ReadingFlow : public QObject {
   std::deque<InstrumentReading> m_waiting;
   TakenBefore m_before;
   QString m_question;  ///< about the first waiting reading
+  bool m_isHeld = false;
 };
 
 }  // namespace alidade::ui

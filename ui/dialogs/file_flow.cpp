@@ -49,6 +49,14 @@ FileFlow::FileFlow(SessionDocument& document, Dialogs& dialogs, QObject* parent)
   connect(&document, &SessionDocument::identityChanged, this, [this] { m_lock.hold(m_document.path()); });
 }
 
+/// Holds the session until the returned guard ends.
+auto FileFlow::held() {
+  if (m_holds++ == 0) emit holding(true);
+  return qScopeGuard([this] {
+    if (--m_holds == 0) emit holding(false);
+  });
+}
+
 void FileFlow::setLockFolder(const QString& folder) {
   m_lock.setFolder(folder);
 }
@@ -60,6 +68,7 @@ bool FileFlow::startNew() {
 }
 
 bool FileFlow::startNext() {
+  emit commitWanted();
   Session next = nextSession(m_document.session());
   next.measuredOn = localDay();
   return startWith(next);
@@ -115,6 +124,7 @@ bool FileFlow::importFrom(const Result<std::vector<ImportSource>>& sources, cons
     return false;
   }
   emit commitWanted();
+  const auto hold = held();
   auto decision = m_dialogs.askImport(
       {.sources = *sources, .session = std::make_shared<const Session>(m_document.session())});
   if (!decision) return false;
@@ -194,6 +204,7 @@ bool FileFlow::revert() {
   emit commitWanted();
   const QString path = m_document.path();
   if (path.isEmpty() || !m_document.isModified() || isRefusedAsNonFile(tr("Revert"), path)) return false;
+  const auto hold = held();
   const QString name = visibleLine(m_document.displayName());
   auto file = inBackground<Result<FiledSession>>(*m_dialogs.busy(tr("Opening “%1”…").arg(name)),
                                                  [path](const std::stop_token&) { return readFiled(path); });
@@ -225,8 +236,7 @@ QStringList FileFlow::otherInputs() const {
 }
 
 bool FileFlow::write(const QString& path) {
-  emit writing(true);
-  const auto over = qScopeGuard([this] { emit writing(false); });
+  const auto hold = held();
   const auto written = inBackground<Result<QByteArray>>(
       *m_dialogs.busy(tr("Saving “%1”…").arg(visibleLine(QFileInfo(path).fileName())), Busy::Way::ToItsEnd),
       [session = m_document.session(), path, inputs = otherInputs()](const std::stop_token&) {
@@ -257,6 +267,7 @@ void FileFlow::resolveChange() {
 
 /// Asks what to do if another program changed the file; absent if it did not. Performs a chosen reload.
 std::optional<ChangedFileAnswer> FileFlow::askAboutChange() {
+  const auto hold = held();
   auto looked = inBackground<std::optional<FileContent>>(
       *m_dialogs.busy(tr("Checking “%1” for changes…").arg(visibleLine(m_document.displayName())),
                       Busy::Way::ToItsEnd),
@@ -318,7 +329,7 @@ bool FileFlow::mayLeaveChanges() {
   if (!m_document.isModified()) return true;
   switch (m_dialogs.askSaveChanges(m_document.displayName())) {
     case Dialogs::SaveAnswer::Save:
-      return save();
+      return save() && mayLeaveChanges();  // a reading that waited may have come in since
     case Dialogs::SaveAnswer::Discard:
       return true;
     case Dialogs::SaveAnswer::Cancel:

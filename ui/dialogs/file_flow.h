@@ -60,10 +60,13 @@ class FileFlow : public QObject {
  signals:
   void commitWanted();  ///< unfinished entries must be committed before the session is used
   void recentFilesChanged();
-  void writing(bool is);             ///< whether the session is being written to a file
+  /// Between true and false the session is written, compared or replaced: nothing else may change it, or take
+  /// its file for changed by another program.
+  void holding(bool is);
   void remark(const QString& text);  ///< for the status line
 
  private:
+  auto held();
   bool load(const QString& path);
   bool importFrom(const Result<std::vector<ImportSource>>& sources, const QString& name);
   bool loadAttached(const QString& path);
@@ -82,6 +85,7 @@ class FileFlow : public QObject {
   Dialogs& m_dialogs;
   FileLock m_lock;
   ReportFlow m_reports;
+  int m_holds = 0;  ///< nested calls that hold the session
 };
 
 }  // namespace alidade::ui

@@ -1,6 +1,9 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <QFile>
+#include <QTemporaryDir>
+
 #include "core/connection/geocom_message.h"
 #include "tests/ui/connection/landing_window.h"
 #include "ui/connection/reading_question_bar.h"
@@ -34,6 +37,46 @@ TEST(ReadingQuestion, AZeroInFaceTwoIsNoPointWithoutAProtocolEither) {
   EXPECT_EQ(window.session().positions[0].zero.afterInTwo.horizontal, "152°32'51\"");
   EXPECT_THAT(window.session().positions[0].zero.afterInTwo.takenAt, Not(IsEmpty()));
   EXPECT_EQ(window.session().positions[0].readings.size(), 4U);
+}
+
+// While a session is saved or an import is chosen, a reading from the instrument waits. It then makes the
+// session modified, so it cannot be taken for saved, nor be lost to the import.
+TEST(ReadingQuestion, ReadingsWaitWhileTheSessionIsSavedOrReplaced) {
+  const Session paper = paperSession();
+  LandingWindow window(begunWithoutProtocol());
+  window.putInFront(0);
+  const QTemporaryDir folder;
+  window.open.dialogs->savePath = folder.filePath(QStringLiteral("held.alidade"));
+  ASSERT_TRUE(window.open->files().save());
+  emit window.open->files().holding(true);
+  window.flow().add(readingOf(paper.positions[0].readings[4]));
+  window.open.waitUntilIdle();
+  EXPECT_EQ(window.flow().waiting(), 1U);
+  EXPECT_FALSE(window.open->document().isModified());
+  emit window.open->files().holding(false);
+  EXPECT_TRUE(waitFor([&] { return window.session().positions[0].readings.size() == 5; }));
+  EXPECT_TRUE(window.open->document().isModified());
+}
+
+TEST(ReadingQuestion, AnImportIsAddedToWhatCameMeanwhile) {
+  const Session paper = paperSession();
+  LandingWindow window(begunWithoutProtocol());
+  window.putInFront(0);
+  window.open.waitUntilIdle();
+  const QTemporaryDir folder;
+  QFile file(folder.filePath(QStringLiteral("more.csv")));
+  ASSERT_TRUE(file.open(QIODevice::WriteOnly));
+  file.write(
+      "axis,point,horizontal,vertical\n180,ZERO,332°32'54\",89 59 57\n180,1,330°26'01\",91 03 46\n"
+      "180,2,331°26'01\",91 33 46\n");
+  file.close();
+  window.open.dialogs->onImport = [&](ImportPage&) {
+    window.flow().add(readingOf(paper.positions[0].readings[4]));
+  };
+  ASSERT_TRUE(window.open->files().importReadings({file.fileName()}));
+  EXPECT_EQ(window.session().positions[1].readings.size(), 2U);
+  EXPECT_TRUE(waitFor([&] { return window.session().positions[0].readings.size() == 5; }))
+      << window.question();
 }
 
 TEST(ReadingQuestion, AnotherPositionIsAsked) {

@@ -218,11 +218,11 @@ TEST_F(ChangedFileTest, IsNotTakenForAnothersWhileItIsSaved) {
   OpenWindow window;
   open(window, nullptr);
   auto* bar = window->findChild<ChangedFileBar*>();
-  emit window->files().writing(true);
+  emit window->files().holding(true);
   writeAsOther("as a long save leaves it, before the window knows");
   QTest::qWait(500);  // the watch checks after 150 ms
   EXPECT_FALSE(bar->isVisible());
-  emit window->files().writing(false);
+  emit window->files().holding(false);
   EXPECT_TRUE(waitFor([&] { return bar->isVisible(); })) << "it was another's";
   window.dialogs->changedFileAnswer = ChangedFileAnswer::Overwrite;
   EXPECT_TRUE(window->files().save());
