@@ -1,6 +1,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <QAbstractItemModel>
 #include <QApplication>
 #include <QLabel>
 #include <QLineEdit>
@@ -8,6 +9,7 @@
 #include <QStatusBar>
 #include <QTabBar>
 #include <QTest>
+#include <algorithm>
 
 #include "tests/ui/support.h"
 #include "ui/commands/change_session.h"
@@ -251,6 +253,38 @@ TEST(BenchEntry, TheLargeDisplayShowsWhatIsNext) {
   EXPECT_THAT(texts, HasSubstr("180°: Point 10"));
   EXPECT_THAT(texts, HasSubstr("Δd, "));
   EXPECT_THAT(texts, HasSubstr("330°"));
+}
+
+TEST(BenchEntry, TheLargeDisplayForgetsADoubtWithItsReading) {
+  const Session paper = paperSession();
+  for (const bool isCorrected : {true, false}) {
+    EntryBench bench;
+    Session session = paper;
+    session.positions[1].readings.resize(9);
+    bench.start(session);
+    bench.open->entry().setLargeDisplayShown(true);
+    press(*bench.open.window, Qt::Key_1, Qt::AltModifier);
+    const auto* display = bench.open->findChild<BenchDisplay*>();
+    const auto isDoubted = [&] {
+      const auto labels = display->findChildren<QLabel*>();
+      return std::any_of(labels.begin(), labels.end(), [](const QLabel* label) {
+        return label->text().contains(QStringLiteral("Look again"));
+      });
+    };
+    const auto typeInto = [&](const std::string& text) {
+      QAbstractItemModel& model = *bench.table().model();
+      model.setData(model.index(9, horizontalColumn), qText(text));
+      bench.open.waitUntilIdle();
+      QCoreApplication::processEvents();
+    };
+    typeInto("10 00 00");
+    EXPECT_TRUE(isDoubted());
+    if (isCorrected)
+      typeInto(paper.positions[1].readings[9].horizontal);
+    else
+      bench.start(paper);
+    EXPECT_FALSE(isDoubted()) << isCorrected;
+  }
 }
 
 TEST(BenchEntry, TheLargeDisplayHasTheMeasuredResultAloneInLargeType) {

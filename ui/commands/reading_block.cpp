@@ -1,5 +1,8 @@
 #include "ui/commands/reading_block.h"
 
+#include <QApplication>
+#include <QClipboard>
+#include <QMimeData>
 #include <QRegularExpression>
 #include <algorithm>
 #include <string>
@@ -22,6 +25,14 @@ QString unquoted(const QString& cell) {
 bool isEmptyRow(const QStringList& row) {
   return std::all_of(row.begin(), row.end(), [](const QString& cell) { return cell.isEmpty(); });
 }
+
+ReadingBlock withoutEmptyEnd(ReadingBlock block) {
+  while (!block.isEmpty() && isEmptyRow(block.last())) block.removeLast();
+  return block;
+}
+
+/// The clipboard's format of `BlockText`, in UTF-8.
+constexpr QLatin1String ownCells("application/x-alidade-cells");
 
 /// The text of `ReadingColumn::Used` for a cell of a column that marks excluded rows.
 QString usedText(const QString& excluded) {
@@ -82,8 +93,7 @@ ReadingBlock parseBlock(const QString& text) {
     for (const QString& cell : line.split(separator)) row.append(unquoted(cell));
     block.append(row);
   }
-  while (!block.isEmpty() && isEmptyRow(block.last())) block.removeLast();
-  return block;
+  return withoutEmptyEnd(std::move(block));
 }
 
 void BlockText::beginRow() {
@@ -110,6 +120,22 @@ QString blockText(const ReadingBlock& block) {
     for (const QString& cell : row) text.add(cell);
   }
   return text.text();
+}
+
+void copyBlock(const QString& text) {
+  auto* data = new QMimeData;
+  data->setText(text);
+  data->setData(ownCells, text.toUtf8());
+  QApplication::clipboard()->setMimeData(data);
+}
+
+ReadingBlock clipboardBlock() {
+  const QMimeData* data = QApplication::clipboard()->mimeData();
+  if (!data || !data->hasFormat(ownCells)) return parseBlock(QApplication::clipboard()->text());
+  ReadingBlock block;
+  for (const QString& line : QString::fromUtf8(data->data(ownCells)).split(u'\n'))
+    block.append(line.split(u'\t'));
+  return withoutEmptyEnd(std::move(block));
 }
 
 }  // namespace alidade::ui

@@ -51,4 +51,10 @@ class BlockText {
 /// The reverse of `parseBlock`.
 QString blockText(const ReadingBlock& block);
 
+/// Puts the text of a block on the clipboard. Tables of this program get its cells back as they are, even
+/// with semicolons or quotation marks; other programs get the text.
+void copyBlock(const QString& text);
+/// The block on the clipboard, from this program or by `parseBlock`.
+ReadingBlock clipboardBlock();
+
 }  // namespace alidade::ui

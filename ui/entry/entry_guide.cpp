@@ -17,12 +17,23 @@
 
 namespace alidade::ui {
 
+namespace {
+
+/// The text of a reading; empty if the session has no such row.
+std::string textAt(const Session& session, std::size_t position, std::size_t row, ReadingColumn column) {
+  if (position >= session.positions.size() || row >= session.positions[position].readings.size()) return {};
+  return session.positions[position].readings[row].*readingText(column);
+}
+
+}  // namespace
+
 EntryGuide::EntryGuide(SessionDocument& document, PositionTabs& positions, QWidget& window)
     : QObject(&window), m_document(document), m_positions(positions), m_window(window) {
   connect(new StrayDigits(window), &StrayDigits::typed, this,
           [this](QKeyEvent* event) { takeDigit(*event); });
   connect(&positions, &PositionTabs::entered, this, &EntryGuide::reportEntry);
   connect(&positions, &QTabWidget::currentChanged, this, &EntryGuide::showNext);
+  connect(&document, &SessionDocument::changed, this, &EntryGuide::dropDoubt);
 }
 
 void EntryGuide::goToAxis(int axisDeg) {
@@ -111,12 +122,25 @@ void EntryGuide::takeDigit(QKeyEvent& event) {
   QCoreApplication::sendEvent(entry, &again);
 }
 
-void EntryGuide::reportEntry(const QString& doubt) {
+void EntryGuide::reportEntry(std::size_t position, std::size_t row, ReadingColumn column,
+                             const QString& doubt) {
   if (m_bench) m_bench->setDoubt(doubt);
+  m_doubted = Doubted{position, row, column, textAt(m_document.session(), position, row, column)};
   QTimer::singleShot(0, this, &EntryGuide::goOn);  // after the event of the key that ended the entry
   if (doubt.isEmpty()) return;
   emit remark(doubt);
   if (hasTone()) QApplication::beep();
+}
+
+/// Drops a doubt when its reading is another, or belongs to another session.
+void EntryGuide::dropDoubt(const SessionChange& change) {
+  if (!m_doubted) return;
+  const auto& [position, row, column, typed] = *m_doubted;
+  if (change.kind != SessionChange::Kind::Everything &&
+      textAt(m_document.session(), position, row, column) == typed)
+    return;
+  m_doubted.reset();
+  if (m_bench) m_bench->setDoubt({});
 }
 
 void EntryGuide::showNext() {

@@ -3,10 +3,12 @@
 #include <QObject>
 #include <cstddef>
 #include <optional>
+#include <string>
 
 #include "core/base/problem.h"
 #include "core/session/entry_to_come.h"
 #include "core/statement/headline.h"
+#include "ui/document/reading_column.h"
 #include "ui/jobs/fit_job.h"
 
 class QKeyEvent;
@@ -17,6 +19,7 @@ namespace alidade::ui {
 class BenchDisplay;
 class PositionTabs;
 class SessionDocument;
+struct SessionChange;
 
 /// Moves the keyboard focus to the next missing entry; reports the next reading, and doubts about typed ones.
 class EntryGuide : public QObject {
@@ -48,7 +51,8 @@ class EntryGuide : public QObject {
   void goToMissingOf(std::size_t position, const std::string& zero);
   void goOn();
   void takeDigit(QKeyEvent& event);
-  void reportEntry(const QString& doubt);
+  void reportEntry(std::size_t position, std::size_t row, ReadingColumn column, const QString& doubt);
+  void dropDoubt(const SessionChange& change);
   void showNext();
 
   SessionDocument& m_document;
@@ -57,6 +61,13 @@ class EntryGuide : public QObject {
   BenchDisplay* m_bench = nullptr;  ///< null until first shown
   SharedEvaluation m_evaluation;    ///< null before the first evaluation
   Headline m_headline;
+
+  struct Doubted {
+    std::size_t position, row;
+    ReadingColumn column;
+    std::string typed;
+  };
+  std::optional<Doubted> m_doubted;  ///< the reading that the Large Display doubts
 };
 
 }  // namespace alidade::ui

@@ -1,7 +1,5 @@
 #include "ui/instrument/check_rows_table.h"
 
-#include <QApplication>
-#include <QClipboard>
 #include <QHeaderView>
 
 #include "ui/panels/parts/cell_delegate.h"
@@ -31,7 +29,7 @@ void CheckRowsTable::copy() const {
         cells.append(m_model.index(row, column).data(Qt::EditRole).toString());
       block.append(cells);
     }
-  if (!block.isEmpty()) QApplication::clipboard()->setText(blockText(block));
+  if (!block.isEmpty()) copyBlock(blockText(block));
 }
 
 void CheckRowsTable::cut() {
@@ -41,8 +39,8 @@ void CheckRowsTable::cut() {
 
 void CheckRowsTable::paste() {
   const QModelIndex corner = currentIndex();
-  if (const auto problem = m_model.paste(parseBlock(QApplication::clipboard()->text()),
-                                         std::max(corner.row(), 0), std::max(corner.column(), 0)))
+  if (const auto problem =
+          m_model.paste(clipboardBlock(), std::max(corner.row(), 0), std::max(corner.column(), 0)))
     emit remark(tr("The clipboard was not pasted: %1.").arg(visibleLine(problem->what)));
 }
 

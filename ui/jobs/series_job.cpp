@@ -3,6 +3,7 @@
 #include <QDir>
 #include <QFile>
 #include <QFileInfo>
+#include <algorithm>
 #include <atomic>
 #include <set>
 
@@ -19,10 +20,26 @@ namespace alidade::ui {
 
 namespace {
 
+QFileInfo fileAt(const std::string& path) {
+  return QFileInfo(QFile::decodeName(QByteArray::fromStdString(path)));
+}
+
+FileStamp stampOf(const std::string& path) {
+  const QFileInfo file = fileAt(path);
+  return {file.lastModified(), file.size()};
+}
+
+bool isRead(const SeriesSession& session) {
+  return session.epoch || !session.trouble.empty();
+}
+
+bool isChanged(const SeriesSession& session) {
+  return !session.path.empty() && stampOf(session.path) != session.stamp;
+}
+
 SeriesSession loaded(const std::string& path) {
-  SeriesSession session{path};
-  if (const QFileInfo file(QFile::decodeName(QByteArray::fromStdString(path)));
-      file.exists() && !file.isFile()) {
+  SeriesSession session{.path = path, .stamp = stampOf(path)};
+  if (const QFileInfo file = fileAt(path); file.exists() && !file.isFile()) {
     session.trouble = Phrase::of("is a pipe or a device: choose a file");
     return session;
   }
@@ -88,18 +105,24 @@ std::vector<std::string> sessionPathsIn(const QStringList& filesAndFolders) {
 SeriesJob::SeriesJob(QObject* parent)
     : QObject(parent), m_work([this](const SharedSeries& series) { emit finished(series); }) {}
 
+bool hasChangedFile(const Series& series) {
+  return std::ranges::any_of(series.sessions, isChanged);
+}
+
 Series readSeries(std::vector<SeriesSession> known, const std::vector<std::string>& added,
                   const std::stop_token& stop, const std::function<void(int done, int total)>& progressed) {
   Series series{std::move(known), {}};
-  std::vector<std::optional<SeriesSession>> fresh(added.size());
+  for (const std::string& path : added) series.sessions.push_back({path});
+  std::vector<SeriesSession*> unread;
+  for (SeriesSession& session : series.sessions)
+    if (!isRead(session) || isChanged(session)) unread.push_back(&session);
   std::atomic<int> done = 0;
-  doEach(threadsOrAll(0), added.size(), [&](std::size_t i) {
+  doEach(threadsOrAll(0), unread.size(), [&](std::size_t i) {
     if (stop.stop_requested()) return;
-    fresh[i] = loaded(added[i]);
-    if (progressed) progressed(++done, static_cast<int>(added.size()));
+    *unread[i] = loaded(unread[i]->path);
+    if (progressed) progressed(++done, static_cast<int>(unread.size()));
   });
-  for (std::optional<SeriesSession>& session : fresh)
-    if (session) series.sessions.push_back(*std::move(session));
+  std::erase_if(series.sessions, [](const SeriesSession& session) { return !isRead(session); });
   addHistories(series);
   return series;
 }

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <QDateTime>
 #include <QObject>
 #include <QStringList>
 #include <functional>
@@ -14,11 +15,20 @@
 
 namespace alidade::ui {
 
+/// Tells a file that was changed since from one that was not.
+struct FileStamp {
+  QDateTime changedAt = {};  ///< invalid without a file
+  qint64 size = 0;
+
+  bool operator==(const FileStamp&) const = default;
+};
+
 /// A session of a series, and whether it is usable.
 struct SeriesSession {
   std::string path;  ///< encoded for the core
   std::optional<Epoch> epoch = {};
   std::string trouble = {};  ///< why the session has no epoch, or is left out
+  FileStamp stamp = {};      ///< of the file when it was read
 };
 
 /// Sessions and their joint results.
@@ -33,8 +43,12 @@ using SharedSeries = std::shared_ptr<const Series>;
 /// its *.alidade files by name. An unreadable series yields its own path.
 std::vector<std::string> sessionPathsIn(const QStringList& filesAndFolders);
 
-/// Reads, fits and diagnoses the sessions of `added` in parallel, and evaluates their history together with
-/// the known ones. After a stop request, unread sessions are left out. Any thread may call `progressed`.
+/// Was any file of the series changed or removed since it was read?
+bool hasChangedFile(const Series& series);
+
+/// Reads, fits and diagnoses the sessions of `added`, and the known ones whose files have changed, in
+/// parallel, and evaluates their history together with the other known ones. After a stop request, unread
+/// sessions are left out. Any thread may call `progressed`.
 Series readSeries(std::vector<SeriesSession> known, const std::vector<std::string>& added,
                   const std::stop_token& stop,
                   const std::function<void(int done, int total)>& progressed = {});

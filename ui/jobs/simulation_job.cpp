@@ -3,17 +3,18 @@
 #include <utility>
 
 #include "core/base/phrase.h"
+#include "core/session/session_fields.h"
 #include "ui/jobs/failed_job.h"
 
 namespace alidade::ui {
 
 bool measuresAlike(const Session& one, const Session& other) {
-  const Instrument &a = one.instrument, &b = other.instrument;
-  return a.sigmaHorizontalArcsec == b.sigmaHorizontalArcsec &&
-         a.sigmaVerticalArcsec == b.sigmaVerticalArcsec && a.sigmaZeroArcsec == b.sigmaZeroArcsec &&
-         a.sigmaSliderArcsec == b.sigmaSliderArcsec && one.geometry == other.geometry &&
-         one.acceptance.coverage == other.acceptance.coverage && one.model == other.model &&
-         one.positions == other.positions;
+  if (one.positions != other.positions) return false;  // most edits differ here, which saves the copy
+  Session same = one;
+  same.protocol = other.protocol;
+  same.acceptance = other.acceptance;
+  same.acceptance.coverage = one.acceptance.coverage;
+  return isSameMeasurement(same, other);
 }
 
 bool BudgetCheck::isOf(const Session& session) const {

@@ -156,9 +156,7 @@ void HistoryPanel::activate(std::size_t value, bool wanted) {
   const DeviceHistory* shown = device();
   const QuantityHistory* drawn = quantity();
   if (!shown || !drawn || value >= drawn->history.values.size()) return;
-  const DatedValue& of = drawn->history.values[value];
-  const auto found = std::ranges::find_if(
-      shown->epochs, [&](const Epoch& epoch) { return epoch.day == of.day && epoch.title == of.of; });
+  const auto found = std::ranges::find(shown->epochs, drawn->history.values[value].file, &Epoch::file);
   if (found == shown->epochs.end()) return;
   wanted ? emit sessionWanted(found->file) : emit sessionStepped(found->file);
 }

@@ -46,6 +46,9 @@ class SeriesWindow : public QWidget {
   /// Asks the main window to open this session.
   void sessionWanted(const QString& path);
 
+ protected:
+  void changeEvent(QEvent* event) override;
+
  private:
   QWidget* createButtons();
   QWidget* createTable();

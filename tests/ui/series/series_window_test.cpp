@@ -250,6 +250,30 @@ TEST(SeriesWindow, TakesSessionsOut) {
   EXPECT_THAT(bench.text("history says"), HasSubstr("Weighted mean of 7 values"));
 }
 
+// Both pages show a file as it is now.
+TEST(SeriesWindow, ReadsAFileAgainThatHasChanged) {
+  const QTemporaryDir folder;
+  const QDir samples(samplePath(QStringLiteral("history")));
+  const QStringList names = samples.entryList({QStringLiteral("*.alidade")});
+  for (const QString& name : names.first(3))
+    ASSERT_TRUE(QFile::copy(samples.filePath(name), folder.filePath(name)));
+  SeriesBench bench;
+  bench.dialogs.seriesFolder = folder.path();
+  bench.addYear();
+  QFile file(folder.filePath(names.first()));
+  Session session = *loadSession(file.fileName().toStdString());
+  session.title = "CHANGED";
+  ASSERT_TRUE(file.setPermissions(QFile::ReadOwner | QFile::WriteOwner) && file.open(QIODevice::WriteOnly));
+  file.write(QByteArray::fromStdString(writeSession(session)));
+  file.close();
+  EXPECT_FALSE(hasChangedFile(Series()));
+  EXPECT_TRUE(hasChangedFile(*bench.window.series()));
+  bench.addYear();
+  EXPECT_FALSE(hasChangedFile(*bench.window.series()));
+  EXPECT_EQ(bench.window.table()->rowCount(), 3);
+  EXPECT_EQ(bench.cell(0, 1), QStringLiteral("CHANGED"));
+}
+
 TEST(SeriesWindow, TellsOfAFolderWithoutSessions) {
   const QTemporaryDir folder;
   SeriesBench bench;

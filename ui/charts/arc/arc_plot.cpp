@@ -281,8 +281,7 @@ QString ArcPlot::describe(const Mark& mark) const {
       QStringLiteral("\nx = %1, y = %2")
           .arg(lengthText(sighting->sighted.x, 3), lengthText(sighting->sighted.y, 3));
   if (sighting->adjusted) {
-    const PlanePoint<double>& foot = *sighting->adjusted;
-    const double off = std::hypot(sighting->sighted.x - foot.x, sighting->sighted.y - foot.y);
+    const double off = std::hypot(sighting->residual.x, sighting->residual.y);
     text += u'\n' + tr("%1 from the adjusted point").arg(lengthText(off, 3));
   } else if (mark.kind == Excluded) {
     text += u'\n' + tr("excluded from the fit");
@@ -319,7 +318,8 @@ std::string ArcPlot::csv() const {
     csv.count(sighting.axisDeg).count(sighting.repeat).count(sighting.point).count(sighting.round);
     csv.count(sighting.face).word(mark.kind == Excluded ? "yes" : "");
     csv.number(sighting.sighted.x).number(sighting.sighted.y);
-    csv.number(isAdjusted ? sighting.adjusted->x : none).number(isAdjusted ? sighting.adjusted->y : none);
+    csv.number(isAdjusted ? sighting.sighted.x - sighting.residual.x : none)
+        .number(isAdjusted ? sighting.sighted.y - sighting.residual.y : none);
     csv.number(isAdjusted ? sighting.residual.x : none)
         .number(isAdjusted ? sighting.residual.y : none)
         .endRow();

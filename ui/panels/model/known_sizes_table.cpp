@@ -1,7 +1,5 @@
 #include "ui/panels/model/known_sizes_table.h"
 
-#include <QApplication>
-#include <QClipboard>
 #include <QHeaderView>
 #include <QLineEdit>
 #include <algorithm>
@@ -110,7 +108,7 @@ void KnownSizesTable::copy() const {
       }
       block.append(cells);
     }
-  if (!block.isEmpty()) QApplication::clipboard()->setText(blockText(block));
+  if (!block.isEmpty()) copyBlock(blockText(block));
 }
 
 void KnownSizesTable::cut() {
@@ -119,7 +117,7 @@ void KnownSizesTable::cut() {
 }
 
 void KnownSizesTable::paste() {
-  const ReadingBlock block = parseBlock(QApplication::clipboard()->text());
+  const ReadingBlock block = clipboardBlock();
   const QModelIndex corner = currentIndex();
   if (!isTyped(corner)) return;
   std::vector<NewText> texts;

@@ -19,6 +19,7 @@
 #include "core/evaluation/guide.h"
 #include "core/guidance/advised_protocol.h"
 #include "core/session/entry.h"
+#include "core/session/session_fields.h"
 #include "core/simulation/protocol.h"
 #include "core/statement/next_measures.h"
 #include "core/statement/sighting_choice.h"
@@ -27,7 +28,6 @@
 #include "core/wording/position_name.h"
 #include "ui/commands/change_session.h"
 #include "ui/document/session_document.h"
-#include "ui/jobs/simulation_job.h"
 #include "ui/panels/parts/data_table.h"
 #include "ui/panels/parts/protocol_menu.h"
 #include "ui/panels/parts/statement_view.h"
@@ -51,8 +51,7 @@ QLabel* textLabel(const QString& name) {
 
 /// True if both sessions have the same readings, protocol and acceptance.
 bool isAlike(const Evaluation& one, const Evaluation& other) {
-  return one.session.protocol == other.session.protocol && measuresAlike(one.session, other.session) &&
-         one.session.acceptance == other.session.acceptance;
+  return isSameMeasurement(one.session, other.session);
 }
 
 /// The first advice of the diagnosis on further readings that a protocol can include; empty if there is none.
@@ -105,6 +104,9 @@ OrderPanel::OrderPanel(SessionDocument& document, QWidget* parent)
   connect(m_table, &DataTable::rowActivated, this, &OrderPanel::activate);
   connect(m_menu, &QMenu::aboutToShow, this, &OrderPanel::fillMenu);
   connect(&m_job, &OutlookJob::found, this, &OrderPanel::showOutlook);
+  connect(&document, &SessionDocument::changed, this, [this](const SessionChange& change) {
+    if (change.kind == SessionChange::Kind::Everything) m_isUncertaintyTyped = false;
+  });
   showSummary();
 }
 
@@ -146,7 +148,7 @@ QWidget* OrderPanel::createSummary() {
 QWidget* OrderPanel::createUncertainty() {
   constexpr double most = 100;  // mm
   m_uncertainty->setRange(0, most);
-  m_uncertainty->setDecimals(3);
+  m_uncertainty->setDecimals(4);
   m_uncertainty->setSingleStep(0.01);
   m_uncertainty->setSuffix(tr(" mm"));
   m_uncertainty->setSpecialValueText(tr("none"));
@@ -276,15 +278,17 @@ void OrderPanel::requestOutlook() {
 
 void OrderPanel::requestAhead() {
   const auto& measurement = m_evaluation->examined.measurement;
+  double wanted = m_uncertainty->value();
   if (!m_isUncertaintyTyped) {
     constexpr double ofTolerance = 1.0 / 3;
     const QSignalBlocker isNotTyped(m_uncertainty);
-    m_uncertainty->setValue(measurement ? measurement->tolerance.value_or(0) * ofTolerance : 0);
+    wanted = measurement ? measurement->tolerance.value_or(0) * ofTolerance : 0;
+    m_uncertainty->setValue(wanted);
   }
   m_outlook->clear();
-  if (measurement && m_uncertainty->value() > 0) {
+  if (measurement && wanted > 0) {
     m_ahead->setEnabled(false);
-    return m_job.request(m_evaluation, gapOfThis(), m_uncertainty->value());
+    return m_job.request(m_evaluation, gapOfThis(), wanted);
   }
   m_job.cancel();
   m_ahead->setStatement(std::nullopt);

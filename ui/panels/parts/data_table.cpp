@@ -1,7 +1,5 @@
 #include "ui/panels/parts/data_table.h"
 
-#include <QApplication>
-#include <QClipboard>
 #include <QHeaderView>
 #include <QHelpEvent>
 #include <QKeyEvent>
@@ -155,7 +153,7 @@ void DataTable::copy() const {
     for (const DataColumn& column : m_model.columns()) cells.append(column.text(row.row()));
     block.append(cells);
   }
-  if (!block.isEmpty()) QApplication::clipboard()->setText(blockText(block));
+  if (!block.isEmpty()) copyBlock(blockText(block));
 }
 
 void DataTable::paintEvent(QPaintEvent* event) {

@@ -47,7 +47,7 @@ PositionTabs::PositionTabs(SessionDocument& document, QWidget* parent)
       m_watch, &EntryWatch::entered, this,
       [this](std::size_t position, std::size_t row, ReadingColumn column, const QString& doubt) {
         if (ReadingsTable* readings = table(position)) readings->readings().setDoubt(row, column, doubt);
-        emit entered(doubt);
+        emit entered(position, row, column, doubt);
       },
       Qt::QueuedConnection);  // after the tables have processed the edit
 }

@@ -38,8 +38,9 @@ class PositionTabs : public QTabWidget {
   void remark(const QString& text);
   void tableCreated(alidade::ui::ReadingsTable* table);
   void positionWanted(int axisDeg);
-  /// A circle reading of the next expected row was typed; `doubt` is that of `EntryWatch::entered`.
-  void entered(const QString& doubt);
+  /// A circle reading of the next expected row was typed; as `EntryWatch::entered`.
+  void entered(std::size_t position, std::size_t row, alidade::ui::ReadingColumn column,
+               const QString& doubt);
 
  private:
   void clearPositions();

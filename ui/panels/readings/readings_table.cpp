@@ -1,7 +1,5 @@
 #include "ui/panels/readings/readings_table.h"
 
-#include <QApplication>
-#include <QClipboard>
 #include <QHeaderView>
 #include <QKeyEvent>
 #include <QLineEdit>
@@ -262,7 +260,7 @@ void ReadingsTable::copy() const {
     for (const int column : entered.empty() ? computed : entered)
       block.add(m_model.copiedText(static_cast<int>(row), static_cast<ReadingColumn>(column)));
   }
-  if (!rows.empty()) QApplication::clipboard()->setText(block.text());
+  if (!rows.empty()) copyBlock(block.text());
 }
 
 void ReadingsTable::cut() {
@@ -271,7 +269,7 @@ void ReadingsTable::cut() {
 }
 
 void ReadingsTable::paste() {
-  const ReadingBlock block = parseBlock(QApplication::clipboard()->text());
+  const ReadingBlock block = clipboardBlock();
   if (block.isEmpty()) return;
   QModelIndex corner = currentIndex();
   for (const QItemSelectionRange& range : selectionModel()->selection())

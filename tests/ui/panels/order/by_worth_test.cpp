@@ -205,6 +205,12 @@ TEST_F(ByWorth, ReachesForAThirdOfTheToleranceUntilAnotherUIsTyped) {
   EXPECT_DOUBLE_EQ(wanted().value(), 0.5);
   want(0);
   EXPECT_DOUBLE_EQ(wanted().value(), 0.2);
+  want(0.5);
+  session.acceptance.toleranceMm = "0.0045";
+  m_open->document().startWith(session);
+  waitUntilIdle();
+  for (int i = 0; i < 3; ++i) ASSERT_TRUE(typeNext());
+  EXPECT_DOUBLE_EQ(wanted().value(), 0.0015) << "what was typed belonged to another session";
 }
 
 TEST_F(ByWorth, AsksForNoUncertaintyInAListedOrder) {

@@ -145,6 +145,21 @@ TEST(ReadingsTable, PastesPointsWithTheirReadings) {
   EXPECT_EQ(bench.readings()[1].vertical, "86 41 24");
 }
 
+// A spreadsheet separates cells by semicolons; in a cell of this program they are text.
+TEST(ReadingsTable, PastesItsOwnCellsWithSemicolonsAndQuotationMarks) {
+  for (const char* note : {"sun; retaken", "\"cloud\"", "a;\"b\";c"}) {
+    Bench bench(threeReadings());
+    QAbstractItemModel& model = *bench.table.model();
+    model.setData(model.index(0, static_cast<int>(ReadingColumn::Note)), QString::fromUtf8(note));
+    bench.select(0, ReadingColumn::Note, 0, ReadingColumn::Note);
+    bench.table.cut();
+    EXPECT_EQ(bench.readings()[0].note, "");
+    bench.table.selectCell(1, ReadingColumn::Note);
+    bench.table.paste();
+    EXPECT_EQ(bench.readings()[1].note, note);
+  }
+}
+
 TEST(ReadingsTable, CopiesWhatWasTypedAndPastesItBackUnchanged) {
   Bench bench(threeReadings());
   bench.select(0, ReadingColumn::Used, 2, ReadingColumn::Note);

@@ -116,6 +116,22 @@ TEST(Simulation, GoesOnUntilWhatItIsOfHasChanged) {
   ASSERT_TRUE(bench.finish());
 }
 
+TEST(Simulation, IsOfNoOtherTemperatureCompensatorOrEffect) {
+  const Session session = paperSession();
+  const auto isOther = [&](const auto& change) {
+    Session other = session;
+    change(other);
+    return !measuresAlike(session, other);
+  };
+  EXPECT_TRUE(isOther([](Session& other) { other.environment.temperatureC = "35"; }));
+  EXPECT_TRUE(isOther([](Session& other) { other.instrument.sigmaCompensatorArcsec = "3"; }));
+  EXPECT_TRUE(isOther([](Session& other) { other.instrument.lineOfSight.offsetMm = "0.1"; }));
+  EXPECT_TRUE(isOther([](Session& other) { other.ownEffects.emplace_back(); }));
+  EXPECT_TRUE(isOther([](Session& other) { other.acceptance.coverage = "0.99"; }));
+  EXPECT_FALSE(isOther([](Session& other) { other.acceptance.toleranceMm = "0.1"; }));
+  EXPECT_FALSE(isOther([](Session& other) { other.title = "again"; }));
+}
+
 TEST(Simulation, WaitsForTheFitOfWhatWasJustTyped) {
   SimulationBench bench;
   ReadingsTable& readings = *bench.open->currentTable();
