@@ -1989,10 +1989,6 @@ Sealed by:</source>
         <translation>%1 的瞄准零位保持原有值；%2的照准未使用</translation>
     </message>
     <message>
-        <source>the pointing zero at %1 is the mean of %2, converted to face 1</source>
-        <translation>%1 的瞄准零位为%2的平均值（已换算到盘左）</translation>
-    </message>
-    <message>
         <source>180° was read before 0°, but a session assumes 0° first: a drift or a jump between the positions would get the wrong sign</source>
         <translation>180° 先于 0° 读取，但测量记录以 0° 为先：两轴位之间的漂移或突跳的符号会相反</translation>
     </message>
@@ -3908,14 +3904,6 @@ title of a column and its cell: &quot;indistinguishable: gravity sag&quot;</extr
     <message>
         <source>holds no value: each line has a date, a value and its standard uncertainty</source>
         <translation>不含任何值：每行应有日期、值及其标准不确定度</translation>
-    </message>
-    <message>
-        <source>the column %1 holds expanded uncertainties: half of each is taken as the standard uncertainty</source>
-        <translation>列 %1 为扩展不确定度：取其一半作为标准不确定度</translation>
-    </message>
-    <message>
-        <source>the column U is read as standard uncertainties (k = 1): halve the values if they are expanded</source>
-        <translation>列 U 按标准不确定度（k = 1）处理：若为扩展不确定度，请减半</translation>
     </message>
     <message>
         <source>has commas between and within its numbers: separate the numbers by semicolons</source>
@@ -6890,10 +6878,6 @@ Includes every catalogued effect, limited by these readings or by its plausible 
         <translation>与 R 的相关</translation>
     </message>
     <message>
-        <source>Contributions of the readings are scaled by their scatter, %1 times the stated noise. Pointing zeros and distance contribute with their stated σ.</source>
-        <translation>来自读数的分量按其离散放大，为给定噪声的 %1 倍。瞄准零位和距离按给定的 σ 计入。</translation>
-    </message>
-    <message>
         <source>Correlation with R, −1 to 1: how strongly an error of the radius shifts the centre; on half an arc, R determines the height of the centre.</source>
         <translation>与 R 的相关系数：半径有误时圆心随之移动的程度，−1 至 1；在半个圆弧上，R 决定圆心的高度。</translation>
     </message>
@@ -7729,10 +7713,6 @@ Includes every catalogued effect, limited by these readings or by its plausible 
         <translation>缺少幅值 %1：请给出其合理大小</translation>
     </message>
     <message>
-        <source>All contributions are based on the stated noise.</source>
-        <translation>所有分量均基于给定噪声。</translation>
-    </message>
-    <message>
         <source>The stated noise alone would leave residuals of %1″. Δd, measured, includes every catalogued effect, limited by these readings or by its plausible size.</source>
         <translation>仅有给定噪声时残差为 %1″。实测 Δd 包含目录中的每个效应，其大小由这些读数或其合理大小限定。</translation>
     </message>
@@ -8099,6 +8079,54 @@ Includes every catalogued effect, limited by these readings or by its plausible 
     <message>
         <source>The verdict covers only the plane of the arc; perpendicular to it, the arc&apos;s centre is %1 from the axis.</source>
         <translation>仅评定圆弧平面内的量：在垂直于该平面的方向上，圆心距回转轴 %1。</translation>
+    </message>
+    <message>
+        <source>the pointing zero at %1 after the readings, in face %2, is the mean of %3</source>
+        <translation>%1 的瞄准零位（读数之后，盘位 %2）为%3的平均值</translation>
+    </message>
+    <message>
+        <source>the pointing zero at %1, in face %2, is the mean of %3</source>
+        <translation>%1 的瞄准零位（盘位 %2）为%3的平均值</translation>
+    </message>
+    <message>
+        <source>the pointing zero at %1 was sighted in face 2 only (%2) and is converted to face 1: collimation and index error count as errors of the zero</source>
+        <translation>%1 的瞄准零位仅以盘右照准（%2），已换算到盘左：视准轴误差和指标差按零位误差计入</translation>
+    </message>
+    <message>
+        <source>no sighting is named %1: state the name of the pointing zero as in the file</source>
+        <translation>没有名为 %1 的照准：请按文件中的写法给出瞄准零位的名称</translation>
+    </message>
+    <message>
+        <source>the column %1 holds expanded uncertainties: each is divided by %2 to give the standard uncertainty</source>
+        <translation>列 %1 为扩展不确定度：各值除以 %2 得到标准不确定度</translation>
+    </message>
+    <message>
+        <source>the column %1 is read as standard uncertainties (k = 1): halve the values if they are expanded</source>
+        <translation>列 %1 按标准不确定度（k = 1）处理：若为扩展不确定度，请减半</translation>
+    </message>
+    <message>
+        <source>So are those of the pointing zeros; the distance contributes with its stated σ.</source>
+        <translation>瞄准零位的分量同样放大；距离按给定的 σ 计入。</translation>
+    </message>
+    <message>
+        <source>Those of the pointing zeros are %1 times their stated σ, because the sightings of the zeros scatter so much; the distance contributes with its stated σ.</source>
+        <translation>瞄准零位的分量为其给定 σ 的 %1 倍，因为零位照准的离散如此之大；距离按给定的 σ 计入。</translation>
+    </message>
+    <message>
+        <source>Pointing zeros and distance contribute with their stated σ.</source>
+        <translation>瞄准零位和距离按给定的 σ 计入。</translation>
+    </message>
+    <message>
+        <source>Contributions of the readings are based on the stated noise.</source>
+        <translation>来自读数的分量基于给定噪声。</translation>
+    </message>
+    <message>
+        <source>Contributions of the readings are scaled by their scatter, %1 times the stated noise.</source>
+        <translation>来自读数的分量按其离散放大，为给定噪声的 %1 倍。</translation>
+    </message>
+    <message>
+        <source>Some sessions have an elevation circle, others a zenith circle: all sizes of errors of the vertical circle are those on a zenith circle.</source>
+        <translation>部分测量记录为高度角度盘，其余为天顶距度盘：所有竖直度盘误差的大小均按天顶距度盘给出。</translation>
     </message>
 </context>
 <context>
