@@ -4,6 +4,7 @@
 #include <cmath>
 #include <utility>
 
+#include "core/base/statistics.h"
 #include "core/diagnosis/conclusion/unexplained.h"
 #include "core/diagnosis/conclusion/weighed_explanations.h"
 #include "core/diagnosis/conclusion/with_forms.h"
