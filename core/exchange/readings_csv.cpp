@@ -62,7 +62,7 @@ class ReadingsTable {
 
   std::string_view verticalName() const {
     const Result<VerticalCircle> circle = verticalCircleEntry(m_session.geometry.verticalCircle);
-    return circle && *circle == VerticalCircle::Elevation ? "elevation" : "zenith";
+    return keyOf(circle ? *circle : VerticalCircle::Zenith);
   }
 
   CsvText& beginRow() {

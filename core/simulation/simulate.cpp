@@ -6,6 +6,7 @@
 #include "core/base/number_text.h"
 #include "core/base/random_source.h"
 #include "core/observation/half_turn.h"
+#include "core/session/entry.h"
 #include "core/simulation/typed_angle.h"
 
 namespace alidade {
@@ -69,8 +70,7 @@ class Simulator {
     session.geometry.distanceMm = shortestText(std::round(distance * 1e4) / 1e4);
     if (m_truth.sigmaDistance > 0) session.geometry.sigmaDistanceMm = shortestText(m_truth.sigmaDistance);
     session.geometry.radiusMm = shortestText(m_truth.nominalRadius);
-    session.geometry.verticalCircle =
-        m_truth.verticalCircle == VerticalCircle::Zenith ? "zenith" : "elevation";
+    session.geometry.verticalCircle = keyOf(m_truth.verticalCircle);
     session.geometry.pointingZeros = "each";
     if (m_truth.plane == ArcPlane::Square) session.geometry.plane = "square";
   }

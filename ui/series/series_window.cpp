@@ -222,6 +222,10 @@ void SeriesWindow::add(const QStringList& filesAndFolders) {
     for (const SeriesSession& session : m_series->sessions) known.insert(session.path);
   for (const std::string& path : sessionPathsIn(filesAndFolders))
     if (!known.contains(path)) m_waiting.push_back(path);
+  readNews();
+}
+
+void SeriesWindow::readNews() {
   const bool isNews = !m_waiting.empty() || (m_series && hasChangedFile(*m_series));
   if (isNews && !m_job.isAtWork()) {
     m_progress->setRange(0, static_cast<int>(m_waiting.size()));
@@ -231,13 +235,10 @@ void SeriesWindow::add(const QStringList& filesAndFolders) {
   showWork();
 }
 
-/// Reads changed files again when the user returns to the window, for instance after a correction in the main
-/// window.
+/// The user may return from a correction in the main window.
 void SeriesWindow::changeEvent(QEvent* event) {
   QWidget::changeEvent(event);
-  if (event->type() != QEvent::ActivationChange || !isActiveWindow() || m_job.isAtWork()) return;
-  if (m_series && hasChangedFile(*m_series)) m_job.start(m_series, {});
-  showWork();
+  if (event->type() == QEvent::ActivationChange && isActiveWindow()) readNews();
 }
 
 void SeriesWindow::removeSelected() {

@@ -53,6 +53,7 @@ class SeriesWindow : public QWidget {
   QWidget* createButtons();
   QWidget* createTable();
   QWidget* createFoot();
+  void readNews();  ///< reads the waiting files and those that have changed
   void take(const SharedSeries& series);
   void diagnose();
   void showSessions();

@@ -49,7 +49,6 @@ QLabel* textLabel(const QString& name) {
   return label;
 }
 
-/// True if both sessions have the same readings, protocol and acceptance.
 bool isAlike(const Evaluation& one, const Evaluation& other) {
   return isSameMeasurement(one.session, other.session);
 }
