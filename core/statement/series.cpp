@@ -8,6 +8,7 @@
 #include "core/base/number_text.h"
 #include "core/base/phrase.h"
 #include "core/base/visible_text.h"
+#include "core/effects/catalogue.h"
 #include "core/wording/diagnosis_sentence.h"
 #include "core/wording/effect_name.h"
 #include "core/wording/series_words.h"
