@@ -1,6 +1,7 @@
 #include "core/session/readings_digest.h"
 
 #include <bit>
+#include <cmath>
 #include <cstdint>
 #include <optional>
 #include <unordered_map>
@@ -24,8 +25,13 @@ class ReadingBytes {
     add(std::uint64_t{text.size()});
     m_bytes += text;
   }
-  /// 0 and −0 are one angle.
-  void add(Angle angle) { add(std::bit_cast<std::uint64_t>(angle.radians() + 0.0)); }
+  /// Rounded to 0.1″: a reading retyped in another unit changes by less, the rounding of its last decimal,
+  /// while two sessions differ by more in some reading. The offset puts the ends of the steps between the
+  /// hundredths of an arcsecond, where no reading of two decimals lies. 0 and −0 are one angle.
+  void add(Angle angle) {
+    constexpr double stepsPerArcsecond = 10, offset = 0.03;
+    add(std::bit_cast<std::uint64_t>(std::round(angle.arcseconds() * stepsPerArcsecond + offset) + 0.0));
+  }
   void add(const std::optional<Angle>& angle) {
     add(angle ? 1 : 0);
     if (angle) add(*angle);

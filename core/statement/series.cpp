@@ -47,7 +47,9 @@ std::string ownerOf(const SharedCause& cause, const SeriesDiagnosis& series) {
 
 void addCause(Statement& statement, const SharedCause& cause, const SeriesDiagnosis& series) {
   const std::string& effect = cause.cause.effect;
-  const std::string size = sizesText(effect, cause.cause.parameters);
+  const std::string size = cause.cause.parameters.empty() && !cause.sizes.empty()
+                               ? Phrase::of("its own in each session")
+                               : sizesText(effect, cause.cause.parameters);
   statement.rows.push_back(
       {.cells = {causeTitle(effect), visibleText(ownerOf(cause, series)),
                  cause.isDrifting ? Phrase::of("%1, changing between sessions", size) : size,

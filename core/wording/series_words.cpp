@@ -16,14 +16,18 @@ namespace alidade {
 
 namespace {
 
+/// Has each session a size of its own, which no other session helps to know?
+bool hasOwnSizes(const SharedCause& cause) {
+  return !cause.sizes.empty() && !cause.isDrifting;
+}
+
 std::string ofOwner(const SharedCause& cause) {
   const std::string effect = causeName(cause.cause.effect);
   if (cause.owner == CauseOwner::Instrument && !cause.serial.empty())
     return Phrase::of("%1 of instrument %2", effect, cause.serial);
   if (cause.owner == CauseOwner::Guideway && !cause.serial.empty())
     return Phrase::of("%1 of guideway %2", effect, cause.serial);
-  if (cause.owner == CauseOwner::Time && !cause.sizes.empty())
-    return Phrase::of("%1, with its own size in each session", effect);
+  if (hasOwnSizes(cause)) return Phrase::of("%1, with its own size in each session", effect);
   return effect;
 }
 
@@ -103,9 +107,11 @@ std::string patternText(const SharedPattern& pattern) {
 std::string ownerText(const SharedCause& cause) {
   switch (cause.owner) {
     case CauseOwner::Instrument:
+      if (hasOwnSizes(cause)) return Phrase::of("the instrument of each session");
       return cause.serial.empty() ? Phrase::of("an instrument without serial number")
                                   : Phrase::of("instrument %1", cause.serial);
     case CauseOwner::Guideway:
+      if (hasOwnSizes(cause)) return Phrase::of("the guideway of each session");
       return cause.serial.empty() ? Phrase::of("a guideway without serial number")
                                   : Phrase::of("guideway %1", cause.serial);
     case CauseOwner::Time:
@@ -141,33 +147,35 @@ std::string sentenceOf(const OfferedEffect& offered, const SeriesDiagnosis& seri
 std::string sentenceOf(const SeriesAdvice& advice) {
   const std::string sigmas = displayText(advice.bySigma, 1);
   const std::string them = causeNames(advice.separates, Phrase::of(" and "));
-  const auto orAnother = [](const std::string& serial) { return serial.empty() ? std::string("?") : serial; };
   switch (advice.what) {
     case SeriesAdvice::What::OtherInstrument:
       return advice.instrument.empty()
                  ? Phrase::of(
                        "Measure guideway %1 with another instrument: separates %3 by %4 σ (sessions needed: "
                        "%2).",
-                       orAnother(advice.guideway), advice.sessions, them, sigmas)
+                       advice.guideway, advice.sessions, them, sigmas)
                  : Phrase::of(
                        "Measure guideway %1 with instrument %2: separates %4 by %5 σ (sessions needed: %3).",
-                       orAnother(advice.guideway), advice.instrument, advice.sessions, them, sigmas);
+                       advice.guideway, advice.instrument, advice.sessions, them, sigmas);
     case SeriesAdvice::What::OtherGuideway:
       return advice.guideway.empty()
                  ? Phrase::of(
                        "Measure another guideway with instrument %1: separates %3 by %4 σ (sessions needed: "
                        "%2).",
-                       orAnother(advice.instrument), advice.sessions, them, sigmas)
+                       advice.instrument, advice.sessions, them, sigmas)
                  : Phrase::of(
                        "Measure guideway %1 with instrument %2: separates %4 by %5 σ (sessions needed: %3).",
-                       advice.guideway, orAnother(advice.instrument), advice.sessions, them, sigmas);
+                       advice.guideway, advice.instrument, advice.sessions, them, sigmas);
     case SeriesAdvice::What::Again:
       if (!advice.instrument.empty())
         return Phrase::of(
             "Measure with instrument %1 in %2 more sessions: %3 would then be detectable at %4 σ.",
             advice.instrument, advice.sessions, them, sigmas);
+      if (advice.guideway.empty())
+        return Phrase::of("Measure %1 more sessions: %2 would then be detectable at %3 σ.", advice.sessions,
+                          them, sigmas);
       return Phrase::of("Measure guideway %1 in %2 more sessions: %3 would then be detectable at %4 σ.",
-                        orAnother(advice.guideway), advice.sessions, them, sigmas);
+                        advice.guideway, advice.sessions, them, sigmas);
   }
   return {};
 }

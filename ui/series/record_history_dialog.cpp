@@ -138,13 +138,13 @@ void RecordHistoryDialog::showInstruments() {
   }
   m_choices->setOwners(names);
   m_json->setEnabled(!names.isEmpty());
-  showRemarks();
   showInstrument();
 }
 
 void RecordHistoryDialog::showInstrument() {
   const InstrumentHistory* chosen = instrument();
   const InstrumentHistory shown = chosen ? *chosen : InstrumentHistory();
+  showRemarks(shown);
   m_table->setStatement(recordTable(shown, localDay()));
   m_choices->setQuantities(shown.quantities);
   showQuantity();
@@ -171,9 +171,10 @@ std::vector<std::string> RecordHistoryDialog::remarks() const {
   return remarks;
 }
 
-void RecordHistoryDialog::showRemarks() {
+void RecordHistoryDialog::showRemarks(const InstrumentHistory& shown) {
   QStringList lines;
-  for (const std::string& remark : remarks()) lines.append(QStringLiteral("⚠ ") + visibleLine(remark));
+  for (const auto& sentences : {remarks(), shown.leftOut})
+    for (const std::string& remark : sentences) lines.append(QStringLiteral("⚠ ") + visibleLine(remark));
   m_remarks->setText(lines.join(u'\n'));
   m_remarks->setVisible(!lines.isEmpty());
 }

@@ -37,7 +37,8 @@ class RecordHistoryDialog : public QDialog {
   void showInstruments();
   void showInstrument();
   void showQuantity();
-  void showRemarks();
+  /// What does not concern one instrument, and what is left out of the one shown.
+  void showRemarks(const InstrumentHistory& shown);
   const InstrumentHistory* instrument() const;
   const QuantityHistory* quantity() const;
   std::vector<std::string> remarks() const;

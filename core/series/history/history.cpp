@@ -160,9 +160,18 @@ void addSteps(History& history, const SteppingEvidence& found, const std::vector
   }
 }
 
+/// `later`: index of the first value of the later date.
+DateDifference differenceOf(const History& history, std::ptrdiff_t later) {
+  const auto begin = history.values.begin();
+  const std::vector<DatedValue> before(begin, begin + later), after(begin + later, history.values.end());
+  const double u = std::sqrt(1 / sumOfWeights(before) + 1 / sumOfWeights(after));
+  return {weightedMean(after) - weightedMean(before), u, history.factor * u};
+}
+
 void judge(History& history) {
   const std::vector<std::size_t> dates = dateNumbers(history.values);
   constexpr std::size_t fewest = 3;
+  if (dates.back() + 1 == 2) history.twoDates = differenceOf(history, std::ranges::count(dates, 0U));
   if (dates.back() + 1 < fewest) return;
   const CourseEvidence evidence = courseEvidence(scaled(history, dates), history.leastScatter);
   history.courses = evidence.courses;

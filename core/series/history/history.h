@@ -54,6 +54,11 @@ struct HistoryStep {
   std::size_t valuesBefore = 0, valuesAfter = 0;  ///< number of values in the two levels
 };
 
+/// The mean of the later date minus that of the earlier, by the stated u.
+struct DateDifference {
+  double value = 0, u = 0, expanded = 0;
+};
+
 struct HistoryMean {
   double value = 0;
   double u = 0;          ///< from the stated u, including the part common to all values
@@ -112,6 +117,7 @@ struct History {
   double birgeRatio = 1;                   ///< √(χ²/f); 1 for one value
   std::vector<CourseProbability> courses;  ///< the most probable first; empty for fewer than three dates
   Course course = Course::Constant;        ///< the reported course
+  std::optional<DateDifference> twoDates;  ///< only if there are just two dates: no course is then judged
   std::vector<HistoryStep> steps;          ///< empty unless steps are reported
   std::vector<double> levels;              ///< weighted means before, between and after the steps
   std::optional<HistoryTrend> trend;       ///< always fitted; absent if all values have one date

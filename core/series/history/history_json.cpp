@@ -176,6 +176,8 @@ std::string historyJson(const std::string& name, const InstrumentHistories& hist
   for (const InstrumentHistory& instrument : histories.instruments)
     json["instruments"].push_back(instrumentHistoryJson(instrument));
   json["remarks"] = remarks;
+  for (const InstrumentHistory& instrument : histories.instruments)
+    for (const std::string& sentence : instrument.leftOut) json["remarks"].push_back(sentence);
   return answerText(withLongNames(std::move(json)));
 }
 

@@ -33,6 +33,11 @@ std::string chanceText(double chance) {
   return chance < 0.0005 ? Phrase::of("p < 0.001") : Phrase::of("p = %1", displayText(chance, 3));
 }
 
+/// Do the means of two dates differ by more than their U? Their values may all the same agree by χ².
+bool areDatesApart(const History& history) {
+  return history.twoDates && std::abs(history.twoDates->value) > history.twoDates->expanded;
+}
+
 std::string agreement(const History& history) {
   if (!history.chance) return Phrase::of("There is only one value: it cannot be compared.");
   const std::string chi =
@@ -44,6 +49,8 @@ std::string agreement(const History& history) {
   if (*history.chance >= leastChance && history.course != Course::Constant)
     return Phrase::of(
         "%1: the values agree within their uncertainties, yet their course over time shows a change.", chi);
+  if (*history.chance >= leastChance && areDatesApart(history))
+    return Phrase::of("%1: the values scatter about one mean as their uncertainties say.", chi);
   if (*history.chance >= leastChance)
     return Phrase::of("%1: the values agree within their uncertainties.", chi);
   return Phrase::of("%1: the values scatter about one mean %2 times as much as their uncertainties say.", chi,
@@ -62,14 +69,31 @@ std::string stepSentence(const History& history, const HistoryStep& step, const 
                     history.values[step.earliest].date, history.values[step.latest].date);
 }
 
+/// Why the values scatter, if no change explains it; empty if they do not.
+std::string scatterSentence(const History& history, const HistoryNumbers& numbers) {
+  const bool isLarge = history.chance && *history.chance < leastChance;
+  if (!isLarge && !areDatesApart(history)) return {};
+  if (history.twoDates)
+    return Phrase::of(
+        "The values of %1 and %2 differ by %3: measure on a third date to tell a change from understated "
+        "uncertainties.",
+        history.values.front().date, history.values.back().date,
+        numbers.withUncertainty(std::abs(history.twoDates->value), history.twoDates->expanded));
+  if (history.courses.empty())
+    return Phrase::of(
+        "All values are of one date: measure on other dates to tell a change from understated "
+        "uncertainties.");
+  return Phrase::of(
+      "Neither a step nor a trend explains this scatter: the uncertainties are understated, or "
+      "the values are too few to show what changed.");
+}
+
 std::vector<std::string> courseSentences(const History& history, const HistoryNumbers& numbers) {
   std::vector<std::string> sentences;
   switch (history.course) {
     case Course::Constant:
-      if (history.chance && *history.chance < leastChance)
-        sentences.push_back(
-            Phrase::of("Neither a step nor a trend explains this scatter: the uncertainties are understated, "
-                       "or the values are too few to show what changed."));
+      if (std::string sentence = scatterSentence(history, numbers); !sentence.empty())
+        sentences.push_back(std::move(sentence));
       break;
     case Course::Steps:
       for (const HistoryStep& step : history.steps) sentences.push_back(stepSentence(history, step, numbers));

@@ -213,7 +213,8 @@ Statement recordTable(const InstrumentHistory& instrument, const std::string& to
                                   {"vertical", Phrase::of("σ vertical")},
                                   {"state", "", Role::Word},
                                   {"file", Phrase::of("File"), Role::Remark}},
-                      .rows = {}};
+                      .rows = {},
+                      .sentences = instrument.leftOut};
   for (std::size_t i = 0; i < instrument.records.size(); ++i) {
     const InstrumentRecord& record = instrument.records[i].record;
     const bool isLast = i + 1 == instrument.records.size();

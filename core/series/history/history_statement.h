@@ -21,7 +21,7 @@ Statement quantityTable(const DeviceHistory& device);
 Statement congruenceTable(const DeviceHistory& device);
 
 /// Each record of the instrument with its due date, and whether the next check is late on `today`,
-/// year-month-day.
+/// year-month-day. Below them, the values that are left out.
 Statement recordTable(const InstrumentHistory& instrument, const std::string& today);
 
 /// The conclusions from a quantity's history, in one or two sentences each.

@@ -13,6 +13,11 @@ void FoundQuantities::add(const std::string& id, const std::string& unit, const 
   place->values.push_back(value);
 }
 
+std::optional<std::string> FoundQuantities::unitOf(const std::string& id) const {
+  const auto found = std::ranges::find(m_found, id, &Quantity::id);
+  return found == m_found.end() ? std::nullopt : std::optional(found->unit);
+}
+
 void FoundQuantities::moveTo(std::vector<QuantityHistory>& quantities, double coverage) {
   for (Quantity& quantity : m_found)
     quantities.push_back({quantity.id, quantity.unit, historyOf(std::move(quantity.values), 0, coverage)});

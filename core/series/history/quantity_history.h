@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -23,6 +24,8 @@ class FoundQuantities {
  public:
   /// A value without a finite u > 0 is left out.
   void add(const std::string& id, const std::string& unit, const DatedValue& value);
+  /// The unit of the quantity; absent before its first value.
+  std::optional<std::string> unitOf(const std::string& id) const;
   void moveTo(std::vector<QuantityHistory>& quantities, double coverage);
 
  private:

@@ -21,6 +21,7 @@ struct InstrumentHistory {
   std::string name, serial;
   std::vector<KeptRecord> records;
   std::vector<QuantityHistory> quantities;
+  std::vector<std::string> leftOut;  ///< a sentence on each size that is not used because of its unit
 };
 
 /// Records grouped by instrument (its serial number, else its name). Records with equal contents count once:

@@ -12,6 +12,7 @@
 #include "core/exchange/text_lines.h"
 #include "core/exchange/words.h"
 #include "core/series/history/history_date.h"
+#include "core/series/history/value_columns.h"
 
 namespace alidade {
 
@@ -19,10 +20,6 @@ namespace {
 
 bool holds(std::string_view text, std::string_view part) {
   return text.find(part) != std::string_view::npos;
-}
-
-bool holdsAny(std::string_view text, std::initializer_list<std::string_view> parts) {
-  return std::ranges::any_of(parts, [&](std::string_view part) { return holds(text, part); });
 }
 
 /// A value, with its uncertainty if that is in the same cell.
@@ -41,7 +38,7 @@ std::optional<ReadValue> withParentheses(const std::string& text) {
   if (!value || !number || !places) return std::nullopt;
   const std::size_t point = digits.find_first_of(".,");
   const std::size_t decimals = point == std::string::npos ? 0 : digits.size() - point - 1;
-  const bool asWritten = holdsAny(last, {".", ","});  // 6.6743(0.0015)
+  const bool asWritten = last.find_first_of(".,") != std::string::npos;  // 6.6743(0.0015)
   const double unit = asWritten ? 1 : std::pow(10.0, -static_cast<double>(decimals));
   const Result<double> power = parseNumber("1" + text.substr(close + 1));
   return ReadValue{*value, std::abs(*places) * unit * (power ? *power : 1)};
@@ -66,77 +63,24 @@ bool isBlank(std::string_view text) {
   return isOneOf(lowerCase(trimmed(text)), {"", "-", "–", "—", "n/a", "na", "nan", "none", "null"});
 }
 
-/// The content of each column.
-struct Columns {
-  std::optional<std::size_t> date, value, u;
-  double factor = 1;  ///< the column's numbers are this many standard uncertainties
-  std::string unit;
-};
-
-bool namesDate(const std::string& name) {
-  return holdsAny(name, {"date", "year", "epoch", "datum", "jahr", "month", "日期", "年", "时间"}) ||
-         isOneOf(name, {"time", "t", "when", "day"});
-}
-
-bool namesExpanded(const std::string& name) {
-  return holdsAny(name, {"expanded", "erweitert", "扩展"});
-}
-
-/// The coverage factor that a heading states as `k=2` or `k = 2.5`.
-std::optional<double> factorIn(const std::string& name) {
-  std::string plain = name;
-  std::erase(plain, ' ');
-  const std::size_t at = plain.find("k=");
-  if (at == std::string::npos) return std::nullopt;
-  const std::size_t end = plain.find_first_not_of("0123456789.,", at + 2);
-  const Result<double> factor = parseNumber(plain.substr(at + 2, end - at - 2));
-  return factor && *factor > 0 ? std::optional(*factor) : std::nullopt;
-}
-
-/// Does the heading begin with the symbol of an expanded uncertainty, as in `U`, `U (mm)`, `U95`?
-bool beginsWithU(const std::string& written) {
-  const auto isLetter = [](char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z'); };
-  return written.starts_with('U') && (written.size() == 1 || !isLetter(written[1]));
-}
-
-bool namesUncertainty(const std::string& name) {
-  return namesExpanded(name) || name.starts_with("u9") || (name.starts_with("u") && factorIn(name)) ||
-         holdsAny(name,
-                  {"uncert", "unsich", "sigma", "error", "standard dev", "std", "不确定度", "σ", "±"}) ||
-         isOneOf(name, {"u", "s", "sd", "se", "unc", "err", "unc."}) || name.starts_with("u(") ||
-         name.starts_with("u_") || name.starts_with("u [") || name.starts_with("u (") ||
-         name.starts_with("s_") || name.starts_with("u/");
-}
-
-bool namesValue(const std::string& name) {
-  return holdsAny(name, {"value", "wert", "result", "mean", "delta_d", "Δd", "intersection", "值"}) ||
-         isOneOf(name, {"x", "y"});
-}
-
-std::string unitIn(const std::string& name) {
-  for (const auto& [open, close] : {std::pair{'[', ']'}, std::pair{'(', ')'}}) {
-    const std::size_t from = name.find(open), to = name.rfind(close);
-    if (from != std::string::npos && to != std::string::npos && to > from)
-      return trimmed(std::string_view(name).substr(from + 1, to - from - 1));
-  }
-  return {};
-}
-
 class Reader {
  public:
   explicit Reader(const std::string& text) : m_table(tableOf(text)) {}
 
   Result<ValueTable> read() {
+    std::vector<CsvRow> rows;
     while (const std::optional<CsvRow> row = m_table.next()) {
       if (row->isRemark) continue;
-      if (m_isFirst && isHead(*row)) {
-        readHead(*row);
+      if (rows.empty() && isHead(*row)) {
+        m_names = row->texts();  // of several such rows, the last one counts
         continue;
       }
-      if (auto problem = readRow(*row)) return *std::move(problem);
-      m_isFirst = false;
+      notice(*row);
+      rows.push_back(*row);
     }
     if (m_table.problem()) return Problem{m_table.problem()->text()};
+    for (const CsvRow& row : rows)
+      if (auto problem = readRow(row)) return *std::move(problem);
     if (m_content.values.empty())
       return Problem{
           Phrase::of("holds no value: each line has a date, a value and its standard uncertainty")};
@@ -148,9 +92,9 @@ class Reader {
   CsvTable m_table;
   ValueTable m_content;
   std::vector<HistoryDate> m_dates;
-  Columns m_columns;
   std::vector<std::string> m_names;
-  bool m_isFirst = true, m_hasColumns = false;
+  std::vector<std::optional<ColumnContent>> m_contents;  ///< absent: only blank cells so far
+  std::optional<ValueColumns> m_columns;
 
   /// Blanks separate the columns if nothing else does, even if numbers contain commas.
   static CsvTable tableOf(const std::string& text) {
@@ -162,7 +106,7 @@ class Reader {
     std::optional<TextLine> line = lines.next();
     while (line && line->number < row->line) line = lines.next();
     const std::string first = line ? trimmed(line->text) : "";
-    if (holdsAny(first, {"\t", ";"}) || !holds(first, " ")) return CsvTable(text);
+    if (first.find_first_of("\t;") != std::string::npos || !holds(first, " ")) return CsvTable(text);
     for (std::size_t at = first.find(','); at != std::string::npos; at = first.find(',', at + 1))
       if (at == 0 || at + 1 == first.size() || !isDigit(first[at - 1]) || !isDigit(first[at + 1]))
         return CsvTable(text);
@@ -174,61 +118,28 @@ class Reader {
         row.cells, [](const CsvCell& cell) { return parseHistoryDate(cell.text) || parseValue(cell.text); });
   }
 
-  /// Reads a row of column names; of several such rows before the first values, the last one counts.
-  void readHead(const CsvRow& row) {
-    m_columns = {};
-    m_names.clear();
+  /// Notes what each column holds.
+  void notice(const CsvRow& row) {
+    m_contents.resize(std::max(m_contents.size(), row.cells.size()));
     for (std::size_t i = 0; i < row.cells.size(); ++i) {
-      const std::string& written = row.cells[i].text;
-      const std::string name = lowerCase(written);
-      m_names.push_back(written);
-      if (!m_columns.date && namesDate(name)) {
-        m_columns.date = i;
-      } else if (!m_columns.u && namesUncertainty(name)) {
-        m_columns.u = i;
-        const bool isExpanded = namesExpanded(name) || (beginsWithU(written) && holdsAny(name, {"9", "%"}));
-        m_columns.factor = factorIn(name).value_or(isExpanded ? 2 : 1);
-      } else if (!m_columns.value && namesValue(name)) {
-        m_columns.value = i;
-        m_columns.unit = unitIn(written);
-      }
+      const std::string& text = row.cells[i].text;
+      if (m_contents[i] || isBlank(text)) continue;
+      const std::optional<ReadValue> number = parseValue(text);
+      m_contents[i] = {.isDate = static_cast<bool>(parseHistoryDate(text)),
+                       .isNumber = number.has_value(),
+                       .hasUncertainty = number && number->u};
     }
   }
 
-  bool isTaken(std::size_t column) const {
-    return m_columns.date == column || m_columns.value == column || m_columns.u == column;
-  }
-
-  /// Assigns columns that no name identifies, by the first row of values.
-  void assignColumns(const CsvRow& row) {
-    m_hasColumns = true;
-    const auto firstFree = [&](const auto& fits) -> std::optional<std::size_t> {
-      for (std::size_t i = 0; i < row.cells.size(); ++i)
-        if (!isTaken(i) && fits(row.cells[i].text)) return i;
-      return std::nullopt;
-    };
-    if (!m_columns.date)
-      m_columns.date =
-          firstFree([](const std::string& text) { return static_cast<bool>(parseHistoryDate(text)); });
-    const auto number = [](const std::string& text) { return parseValue(text).has_value(); };
-    if (!m_columns.value) {
-      m_columns.value = firstFree(number);
-      if (m_columns.value && *m_columns.value < m_names.size())
-        m_columns.unit = unitIn(m_names[*m_columns.value]);
-    }
-    if (!m_columns.u) m_columns.u = firstFree(number);
-    m_content.unit = m_columns.unit;
-    if (!m_columns.u || *m_columns.u >= m_names.size()) return;
-    const std::string& written = m_names[*m_columns.u];
-    if (m_columns.factor != 1)
-      m_content.remarks.push_back(
-          Phrase::of("the column %1 holds expanded uncertainties: each is divided by %2 to give the standard "
-                     "uncertainty",
-                     quotation(written), displayShortest(m_columns.factor)));
-    else if (beginsWithU(written) && !factorIn(lowerCase(written)))
-      m_content.remarks.push_back(Phrase::of(
-          "the column %1 is read as standard uncertainties (k = 1): halve the values if they are expanded",
-          quotation(written)));
+  std::optional<Problem> assignColumns() {
+    std::vector<ColumnContent> contents;
+    for (const auto& content : m_contents) contents.push_back(content.value_or(ColumnContent()));
+    const Result<ValueColumns> columns = valueColumns(m_names, contents);
+    if (!columns) return columns.problem();
+    m_columns = *columns;
+    m_content.unit = columns->unit;
+    if (!columns->remark.empty()) m_content.remarks.push_back(columns->remark);
+    return std::nullopt;
   }
 
   static Problem at(const CsvRow& row, const CsvCell* cell, std::string what) {
@@ -243,15 +154,16 @@ class Reader {
     if (hasCommasInNumbers(row))
       return at(row, nullptr,
                 Phrase::of("has commas between and within its numbers: separate the numbers by semicolons"));
-    if (!m_hasColumns) assignColumns(row);
-    if (!m_columns.date)
+    if (!m_columns)
+      if (auto problem = assignColumns()) return problem;
+    if (!m_columns->date)
       return at(row, nullptr,
                 Phrase::of("has no date: write year-month-day, year-month, a year or a decimal year"));
-    if (!m_columns.value)
+    if (!m_columns->value)
       return at(row, nullptr,
                 Phrase::of("has no value: each line has a date, a value and its standard uncertainty"));
-    const CsvCell *date = cellAt(row, m_columns.date), *value = cellAt(row, m_columns.value),
-                  *u = cellAt(row, m_columns.u);
+    const CsvCell *date = cellAt(row, m_columns->date), *value = cellAt(row, m_columns->value),
+                  *u = cellAt(row, m_columns->u);
     if (!value || isBlank(value->text)) {
       m_content.remarks.push_back(Phrase::of("line %1 has no value and is skipped", row.line));
       return std::nullopt;
@@ -264,7 +176,7 @@ class Reader {
     if (!sigma && u && !isBlank(u->text)) {
       const std::optional<ReadValue> stated = parseValue(u->text);
       if (!stated) return at(row, u, Phrase::of("%1 is no number", quotation(u->text)));
-      sigma = stated->value / m_columns.factor;
+      sigma = stated->value / m_columns->factor;
     }
     if (!sigma)
       return at(row, u,

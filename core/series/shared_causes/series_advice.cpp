@@ -51,6 +51,8 @@ void addAdvice(SeriesDiagnosis& diagnosis, const SearchedSeries& series) {
     advice.what = changed == CauseOwner::Instrument ? SeriesAdvice::What::OtherInstrument
                                                     : SeriesAdvice::What::OtherGuideway;
     const SessionOwners& now = series.owners[cause.sessions.front()];
+    // Without its serial number nobody can measure with the same one again.
+    if ((changed == CauseOwner::Instrument ? now.guideway : now.instrument).empty()) return;
     const auto others = serialsOf(changed);
     const std::string& present = changed == CauseOwner::Instrument ? now.instrument : now.guideway;
     const auto other = std::ranges::find_if(others, [&](const std::string& s) { return s != present; });

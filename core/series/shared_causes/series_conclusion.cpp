@@ -400,9 +400,7 @@ class Conclusion {
     if (part.block.sizes == SizesKind::PerOwner) return perOwner(cause, p);
     cause.serial = part.block.serial;
     cause.sessions = part.block.sessions;
-    if (part.block.sizes == SizesKind::One)
-      cause.cause.parameters = parametersIn(0);
-    else
+    if (part.block.sizes != SizesKind::PerSession)
       cause.cause.parameters = parametersIn(part.block.sessions.size() - 1);
     if (part.block.sizes != SizesKind::One)
       for (std::size_t i = 0; i < part.block.sessions.size(); ++i)

@@ -37,7 +37,8 @@ struct SharedRival {
 };
 
 struct SharedCause {
-  Cause cause;  ///< with its size; if sizes differ, with the size in the last session
+  /// With its size; a drifting size is that in the last session. Without a size if each session has its own.
+  Cause cause;
   CauseOwner owner = CauseOwner::Time;
   std::string serial = {};                 ///< of the owner; empty if it has none, or for effects of time
   std::vector<std::size_t> sessions = {};  ///< indices of the sessions in which the cause acts
@@ -57,9 +58,11 @@ struct SeriesAdvice {
     Again,            ///< the same owner again: the cause is still too faint
   };
   What what = What::Again;
-  std::string instrument = {}, guideway = {};  ///< serial numbers; empty: any, or one not used so far
-  std::vector<std::string> separates = {};     ///< ids of effects
-  double bySigma = 0;                          ///< difference after `sessions` are measured, σ
+  /// Serial numbers; empty: any, or one not used so far. The guideway to measure again with another
+  /// instrument, and the instrument for another guideway, are never empty.
+  std::string instrument = {}, guideway = {};
+  std::vector<std::string> separates = {};  ///< ids of effects
+  double bySigma = 0;                       ///< difference after `sessions` are measured, σ
   int sessions = 1;
 };
 

@@ -37,6 +37,19 @@ TEST(ReadingsDigest, IsThatOfACopyHoweverItWasSaved) {
       << "the same angle, written otherwise";
 }
 
+TEST(ReadingsDigest, IsThatOfACopyTypedInAnotherUnit) {
+  const auto withFirst = [](const std::string& horizontal, const std::string& vertical) {
+    return digestOf([&](Session& session) {
+      session.positions[0].readings[0].horizontal = horizontal;
+      session.positions[0].readings[0].vertical = vertical;
+    });
+  };
+  const std::string digest = withFirst("341°52'24\"", "83°50'34.05\"");
+  EXPECT_EQ(withFirst("341.87333°", "83.842791667°"), digest);
+  EXPECT_EQ(withFirst("379.859259259gon", "93.158657407gon"), digest);
+  EXPECT_NE(withFirst("341°52'24\"", "83°50'34.2\""), digest);
+}
+
 TEST(ReadingsDigest, IsAnotherOfWhateverElseWasReadOrSighted) {
   const std::vector<std::function<void(Session&)>> changes = {
       [](Session& session) { session.positions[0].readings[3].vertical = "83°50'35\""; },

@@ -85,11 +85,46 @@ TEST(ValueTable, LeavesOutLinesWithoutAValueAndSaysSo) {
   EXPECT_THAT(table.remarks, ElementsAre(HasSubstr("line 2")));
 }
 
+std::string refusal(const std::string& text) {
+  const Result<ValueTable> table = readValueTable(text);
+  return table ? "none" : table.problem().text();
+}
+
+TEST(ValueTable, RefusesToGuessWhichColumnHoldsTheValue) {
+  EXPECT_EQ(refusal("date;temperature;collimation;u\n2024;20.5;3;0.5\n"),
+            "each of the columns “temperature” and “collimation” could hold the value: name only one of them "
+            "“value” in the first line");
+  EXPECT_THAT(refusal("date;collimation;u;index;u index\n2020;1;0.1;7;.3\n"),
+              HasSubstr("“collimation” and “index”"));
+  EXPECT_THAT(refusal("1;2020-01-01;1.0;0.1\n2;2021-01-01;1.2;0.2\n"), HasSubstr("columns 1, 3 and 4"));
+  EXPECT_THAT(refusal("date;x;y;u\n2020;1;2;0.1\n"), HasSubstr("“x” and “y” could hold the value"));
+  EXPECT_THAT(
+      refusal("date;value;sigma;error\n2020;1;0.1;0.2\n"),
+      HasSubstr("“sigma” and “error” could hold the standard uncertainty: name only one of them “u”"));
+  EXPECT_THAT(refusal("date;u;x;value\n2020;1\n2021;1\n"), HasSubstr("holds no value"));
+  EXPECT_THAT(refusal("date;value;a;b\n2020;1;0.1;0.2\n"), HasSubstr("“a” and “b” could hold the standard"));
+  EXPECT_THAT(refusal("date;temperature;collimation;u\n2024;20.5;;0.5\n2025;20.5;3;0.5\n"),
+              HasSubstr("“temperature” and “collimation”"))
+      << "blank in the first line";
+}
+
+TEST(ValueTable, TakesTheColumnsThatItsUserNames) {
+  expectTwo("date;mean temperature;value;u;U (k=2)\n2001-02-03;20;1.5;0.25;.5\n2002-02-03;20;-2;0.5;1\n");
+  expectTwo("no;n;date;value;u;note\n1;17;2001-02-03;1.5;0.25;7\n2;17;2002-02-03;-2;0.5;\n");
+  expectTwo("date;collimation;u;note\n2001-02-03;1.5;0.25;good\n2002-02-03;-2;0.5;7\n");
+  expectTwo("date;n;collimation\n2001-02-03;17;1.50(25)\n2002-02-03;17;-2.0(5)\n");
+}
+
+TEST(ValueTable, RefusesAnUncertaintyInAnotherUnit) {
+  EXPECT_EQ(refusal("date;value (mm);u (µm)\n2024;0.3;10\n"),
+            "the columns “value (mm)” and “u (µm)” state different units: give the value and its uncertainty "
+            "in one unit");
+  for (const char* names : {"x (mm);u(x)", "value [″];u (arcsec)", "value (µm);u [um]", "value (mm);U (95 %)",
+                            "value (mm);u (k = 1)", "value;u (mm)", "value (mm);u(x) (mm)"})
+    EXPECT_EQ(refusal(std::string("date;") + names + "\n2024;0.3;10\n"), "none") << names;
+}
+
 TEST(ValueTable, SaysWhereItCannotBeUsed) {
-  const auto refusal = [](const std::string& text) {
-    const Result<ValueTable> table = readValueTable(text);
-    return table ? "none" : table.problem().text();
-  };
   EXPECT_THAT(refusal("2001,1,0.1\n2002,1,0\n"), HasSubstr("line 2, column 8: the standard uncertainty 0"));
   EXPECT_THAT(refusal("2001,1,0.1\n2002,1,-0.1\n"), HasSubstr("line 2"));
   EXPECT_THAT(refusal("2001,1,0.1\n2002,1,\n"), HasSubstr("no standard uncertainty"));

@@ -8,6 +8,7 @@
 #include "core/session/own_effects.h"
 #include "core/simulation/protocol.h"
 #include "core/simulation/simulate.h"
+#include "core/wording/series_words.h"
 
 // Series simulated from known truths, each of sessions too short to show the shared cause alone.
 
@@ -15,6 +16,7 @@ namespace alidade {
 namespace {
 
 using testing::Contains;
+using testing::HasSubstr;
 using testing::IsEmpty;
 using testing::Not;
 
@@ -406,6 +408,24 @@ TEST(DiagnoseSeries, WithoutSerialsNothingIsShared) {
   EXPECT_EQ(series.withoutGuideway, 8u);
   for (const SharedCause& cause : series.causes)
     EXPECT_TRUE(cause.sessions.size() == 1 || !cause.sizes.empty());
+}
+
+TEST(DiagnoseSeries, GivesNoCommonSizeOfSizesOfEachSession) {
+  const auto tilt = [](Truth& truth, std::size_t) { truth.effects = {{ErrorTerm::TrunnionTilt, 8}}; };
+  const SeriesDiagnosis series =
+      answerTo(drawn({.put = tilt, .instrument = [](std::size_t) { return std::string(); }}));
+  ASSERT_FALSE(series.causes.empty());
+  const SharedCause& cause = series.causes.front();
+  EXPECT_EQ(cause.sizes.size(), 8u);
+  EXPECT_THAT(cause.cause.parameters, IsEmpty());
+  EXPECT_EQ(ownerText(cause), "the instrument of each session");
+  EXPECT_THAT(sentenceOf(series), HasSubstr("trunnion tilt, with its own size in each session"));
+  for (const SeriesAdvice& advice : series.advice) EXPECT_THAT(sentenceOf(advice), Not(HasSubstr("?")));
+}
+
+TEST(DiagnoseSeries, AdvisesMoreSessionsEvenWithoutSerials) {
+  EXPECT_EQ(sentenceOf(SeriesAdvice{.separates = {"trunnion_tilt"}, .bySigma = 6, .sessions = 4}),
+            "Measure 4 more sessions: trunnion tilt would then be detectable at 6.0 σ.");
 }
 
 TEST(DiagnoseSeries, NeitherOrderNorThreadsMatter) {
