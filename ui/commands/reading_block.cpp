@@ -5,8 +5,12 @@
 #include <QMimeData>
 #include <QRegularExpression>
 #include <algorithm>
+#include <cmath>
 #include <string>
 #include <utility>
+
+#include "core/base/number_text.h"
+#include "core/base/phrase.h"
 
 namespace alidade::ui {
 
@@ -29,6 +33,29 @@ bool isEmptyRow(const QStringList& row) {
 ReadingBlock withoutEmptyEnd(ReadingBlock block) {
   while (!block.isEmpty() && isEmptyRow(block.last())) block.removeLast();
   return block;
+}
+
+/// Whether the cells from `first` on are degrees, minutes and seconds of an angle, each as a plain number.
+bool isAngleInParts(const QStringList& row, qsizetype first) {
+  constexpr double ends[] = {360, 60, 60};
+  for (qsizetype part = 0; part < 3; ++part) {
+    const Result<double> number = parseNumber(row[first + part].toStdString());
+    if (!number || !(*number >= 0) || !(*number < ends[part])) return false;
+    if (part < 2 && *number != std::floor(*number)) return false;
+  }
+  return true;
+}
+
+/// Whether both angles of every row stand in three columns each.
+bool hasAnglesInParts(const ReadingBlock& block) {
+  constexpr qsizetype cells = 6;
+  const qsizetype columns = block.isEmpty() ? 0 : block.first().size();
+  for (qsizetype first = 0; first + cells <= columns; ++first)
+    if (std::all_of(block.begin(), block.end(), [&](const QStringList& row) {
+          return row.size() == columns && isAngleInParts(row, first) && isAngleInParts(row, first + 3);
+        }))
+      return true;
+  return false;
 }
 
 /// The clipboard's format of `BlockText`, in UTF-8.
@@ -54,8 +81,14 @@ std::optional<Result<JoinedTable>> joinedBlock(const ReadingBlock& block) {
 
 std::optional<NamedBlock> namedBlock(const ReadingBlock& block) {
   const auto table = joinedBlock(block);
-  if (!table) return std::nullopt;
   NamedBlock named;
+  if (!table) {
+    if (!hasAnglesInParts(block)) return std::nullopt;
+    named.problem = QString::fromStdString(Phrase::of(
+        "degrees, minutes and seconds stand in columns of their own; copy a row with their names, too, or "
+        "import the table"));
+    return named;
+  }
   if (!*table) {
     named.problem = QString::fromStdString(table->problem().what);
     return named;

@@ -32,7 +32,8 @@ struct NamedBlock {
 /// row follows.
 std::optional<Result<JoinedTable>> joinedBlock(const ReadingBlock& block);
 
-/// Absent if the first row names no columns of readings (`areColumnNames`), or if no row follows.
+/// Absent if the first row names no columns of readings (`areColumnNames`), or if no row follows. Unusable if
+/// unnamed columns hold angles in parts: degrees are never read alone.
 std::optional<NamedBlock> namedBlock(const ReadingBlock& block);
 
 /// Builds the text of a block, cell by cell, with tabs and LF. Tabs and line ends inside a cell become

@@ -23,5 +23,16 @@ TEST(BlockText, IsReadBackAsItWas) {
   EXPECT_EQ(parseBlock(blockText(block)), block);
 }
 
+// Table I as typed into a spreadsheet: degrees are never read alone.
+TEST(ReadingBlock, WithAnglesInPartsIsNotRead) {
+  const ReadingBlock parts =
+      parseBlock(QStringLiteral("1\t341\t52\t24\t88\t16\t49\n2\t339\t54\t27.5\t86\t39\t12\n"));
+  const auto named = namedBlock(parts);
+  ASSERT_TRUE(named);
+  EXPECT_FALSE(named->problem.isEmpty());
+  EXPECT_FALSE(namedBlock(parseBlock(QStringLiteral("1\t1\t1\t341 52 24\t88 16 49\t12.5\n"))));
+  EXPECT_FALSE(namedBlock(parseBlock(QStringLiteral("341\t52\t24\t88\t61\t49\n"))));
+}
+
 }  // namespace
 }  // namespace alidade::ui
