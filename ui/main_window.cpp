@@ -172,13 +172,21 @@ void MainWindow::connectFile() {
   serve(m_exports);
   serve(m_instrument);
   serve(m_protocol);
+  m_files.setWaiting([this] { return m_desk->flow().waiting(); });
   connect(&m_document, &SessionDocument::identityChanged, this, &MainWindow::showTitle);
   connect(&m_document.halfTyped(), &HalfTyped::changed, this, &MainWindow::showTitle);
-  connect(&m_watch, &FileWatch::changedElsewhere, this,
-          [this](bool is) { is ? m_changedFile->showFor(m_document.displayName()) : m_changedFile->hide(); });
+  connect(&m_watch, &FileWatch::stateChanged, this, &MainWindow::showFileState);
   connect(&m_files, &FileFlow::holding, &m_watch, &FileWatch::setHeld);
   connect(&m_files, &FileFlow::holding, m_desk, &InstrumentDesk::setHeld);
   connect(m_changedFile, &ChangedFileBar::comparisonWanted, &m_files, &FileFlow::resolveChange);
+  connect(m_changedFile, &ChangedFileBar::saveWanted, &m_files, &FileFlow::save);
+}
+
+void MainWindow::showFileState(FileState state) {
+  if (state == FileState::Known) return m_changedFile->hide();
+  if (state == FileState::Changed) return m_changedFile->showChanged(m_document.displayName());
+  m_document.markFileGone();
+  m_changedFile->showMissing(m_document.displayName());
 }
 
 void MainWindow::createStart() {

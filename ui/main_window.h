@@ -88,6 +88,7 @@ class MainWindow : public QMainWindow {
   void connectJobs();
   void connectEntry();
   void connectFile();
+  void showFileState(FileState state);
   void createStart();
   void openSample(const QString& name);
   QStringList readFiles() const;

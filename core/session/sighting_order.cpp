@@ -88,13 +88,25 @@ const Reading* asInTheStretchBefore(const std::vector<Reading>& rows) {
   return isLike(again) ? &rows[again(done)] : nullptr;
 }
 
-int nextPoint(const std::vector<Reading>& rows) {
-  const auto count = static_cast<int>(rows.size());
-  if (rows.empty()) return 1;
-  const int last = numberOr(rows.back().point, count);
+int lastRound(const std::vector<Reading>& rows) {
+  int round = 0;
+  for (const Reading& row : rows) round = std::max(round, roundOf(row));
+  return round;
+}
+
+/// Moves `next`, a copy of the last row's keys, to the next point. A way back ends at point 1, where the next
+/// round begins.
+void moveOn(Reading& next, const std::vector<Reading>& rows, int last, bool isDescending) {
+  if (isDescending && last <= 1)
+    next.round = std::to_string(lastRound(rows) + 1);
+  else
+    next.point = std::to_string(isDescending ? last - 1 : last + 1);
+}
+
+void moveInDirectionOfLastTwo(Reading& next, const std::vector<Reading>& rows) {
+  const int last = rows.empty() ? 0 : numberOr(rows.back().point, static_cast<int>(rows.size()));
   const bool hasTwo = rows.size() > 1 && isOfOneStretch(rows[rows.size() - 2], rows.back());
-  const bool isDescending = hasTwo && numberOr(rows[rows.size() - 2].point, 0) == last + 1;
-  return isDescending && last > 1 ? last - 1 : last + 1;
+  moveOn(next, rows, last, hasTwo && numberOr(rows[rows.size() - 2].point, 0) == last + 1);
 }
 
 /// The last places, if each place is sighted in both faces before the slider moves.
@@ -127,9 +139,7 @@ std::optional<Reading> asInPairs(const std::vector<Reading>& rows) {
     return next;
   }
   const int last = numberOr(rows.back().point, 0);
-  const bool isDescending =
-      pairs->faceBefore != 0 && numberOr(rows[pairs->whole - 1].point, 0) == last + 1 && last > 1;
-  next.point = std::to_string(isDescending ? last - 1 : last + 1);
+  moveOn(next, rows, last, pairs->faceBefore != 0 && numberOr(rows[pairs->whole - 1].point, 0) == last + 1);
   const bool isAlternating = pairs->faceBefore != 0 && pairs->faceBefore != pairs->firstFace;
   next.face = std::to_string(isAlternating ? 3 - pairs->firstFace : pairs->firstFace);
   return next;
@@ -161,16 +171,17 @@ Reading followingReading(const Session& session, std::size_t position, std::opti
   if (const Reading* other = asInAnotherPosition(session, position)) return keysOf(*other);
   if (const auto paired = asInPairs(rows)) return *paired;
   Reading next = rows.empty() ? Reading() : keysOf(rows.back());
-  const Reading* place = asInTheStretchBefore(rows);
-  next.point = place ? place->point : std::to_string(nextPoint(rows));
+  if (const Reading* place = asInTheStretchBefore(rows))
+    next.point = place->point;
+  else
+    moveInDirectionOfLastTwo(next, rows);
   return next;
 }
 
 std::vector<Reading> furtherRows(const std::vector<Reading>& rows, FurtherRows which) {
   if (rows.empty()) return {};
   const std::size_t first = lastStretch(rows);
-  int round = 0;
-  for (const Reading& row : rows) round = std::max(round, roundOf(row));
+  const int round = lastRound(rows);
   const int face = which == FurtherRows::WayBackInTwo ? 3 - faceOf(rows.back()) : faceOf(rows.back());
   std::vector<Reading> laidOut;
   for (std::size_t i = first; i < rows.size(); ++i) laidOut.push_back(at(rows[i], round + 1, face));

@@ -14,7 +14,8 @@ namespace alidade {
 /// The next row of a position, with only point, round and face. It continues the first order that exists: the
 /// session's protocol (`protocol_progress.h`), until it is complete; another position that begins with the
 /// same rows; pairs of faces at each place; the stretch before, forwards or backwards; the direction of the
-/// last two points. The first row of an empty position has point 1. `chosen` as in `progressOf`.
+/// last two points, and a new round where a way back ends at point 1. The first row of an empty position has
+/// point 1. `chosen` as in `progressOf`.
 Reading followingReading(const Session& session, std::size_t position,
                          std::optional<std::size_t> chosen = {});
 

@@ -253,7 +253,7 @@ TEST_F(HostileTextsTest, AreTextInMessageBoxes) {
   Dialogs dialogs;
   const QString name = of("<b>a</b><img src=\"x.png\">\u202E\n\x1b");
   const std::function<void()> asks[] = {
-      [&] { dialogs.askSaveChanges(name); }, [&] { dialogs.askDiscardOther(name, Dialogs::Way::Undo); },
+      [&] { dialogs.askLeave({.name = name}); }, [&] { dialogs.askDiscardOther(name, Dialogs::Way::Undo); },
       [&] { dialogs.showProblem(QStringLiteral("Title"), name + QStringLiteral("\n\n") + of(all)); }};
   for (const auto& ask : asks) {
     bool said = false;

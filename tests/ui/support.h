@@ -22,6 +22,7 @@ class ReadingsTable;
 class ScriptedDialogs : public Dialogs {
  public:
   SaveAnswer saveAnswer = SaveAnswer::Cancel;
+  std::vector<SaveAnswer> saveAnswers;  ///< for successive questions; afterwards `saveAnswer`
   QString openPath, savePath, reportPath, exportPath, recordPath, protocolPath;
   std::optional<SightingProtocol> protocol = {};  ///< the answer of the form
   QString exportSuggested;                        ///< the last suggestion
@@ -31,6 +32,7 @@ class ScriptedDialogs : public Dialogs {
   std::function<void(ImportPage&)> onImport;      ///< acts on the page before it is accepted
   int importsAsked = 0;
   int saveQuestions = 0;
+  Unsaved leaving;  ///< of the last of these questions
   bool discardOther = false;
   bool deletePosition = true;
   QStringList deletionsAsked;
@@ -69,9 +71,11 @@ class ScriptedDialogs : public Dialogs {
     offers.push_back(left);
     return offers.size() <= recoveries.size() ? recoveries[offers.size() - 1] : RecoveryAnswer();
   }
-  SaveAnswer askSaveChanges(const QString&) override {
+  SaveAnswer askLeave(const Unsaved& unsaved) override {
     ++saveQuestions;
-    return saveAnswer;
+    leaving = unsaved;
+    const auto asked = static_cast<std::size_t>(saveQuestions);
+    return asked <= saveAnswers.size() ? saveAnswers[asked - 1] : saveAnswer;
   }
   bool askDiscardOther(const QString& name, Way way) override {
     othersAsked.append(QLatin1String(way == Way::Undo ? "undo to " : "redo to ") + name);

@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "core/session/entry.h"
+#include "core/session/protocol_progress.h"
 #include "ui/document/journal_entries.h"
 #include "ui/document/session_document.h"
 #include "ui/text/position_text.h"
@@ -20,6 +21,19 @@ ReadingsPatch withoutRows(const std::vector<Reading>& rows) {
   std::vector<std::size_t> all(rows.size());
   std::iota(all.begin(), all.end(), 0);
   return ReadingsPatch::removing(rows, all);
+}
+
+/// The typed readings of the position's zero and its axis, each with its field.
+std::vector<std::pair<std::string, std::string>> textsOf(const Position& position) {
+  std::vector<std::pair<std::string, std::string>> texts;
+  const auto addZero = [&texts](const std::string& field, const auto& sighting) {
+    if (!sighting.horizontal.empty()) texts.emplace_back(field + ".horizontal", sighting.horizontal);
+    if (!sighting.vertical.empty()) texts.emplace_back(field + ".vertical", sighting.vertical);
+  };
+  addZero("pointing_zero", position.zero);
+  for (const ZeroSlot& slot : furtherZeros) addZero(zeroField(slot), position.zero.*slot.sighting);
+  texts.emplace_back("axis_deg", position.axisDeg);
+  return texts;
 }
 
 void append(std::vector<JournalEntry>& entries, std::vector<JournalEntry> further) {
@@ -97,11 +111,7 @@ RemovePosition::RemovePosition(SessionDocument& document, std::size_t index)
   m_all = entriesOf(document.session(), index, patch, journal_reasons::deleted,
                     [](std::size_t, ReadingColumn) { return true; });
   std::vector<JournalEntry> entries = journal().judge(index, patch, journal_reasons::deleted);
-  const std::pair<const char*, const std::string&> texts[] = {
-      {"pointing_zero.horizontal", m_position.zero.horizontal},
-      {"pointing_zero.vertical", m_position.zero.vertical},
-      {"axis_deg", m_position.axisDeg}};
-  for (const auto& [field, text] : texts) {
+  for (const auto& [field, text] : textsOf(m_position)) {
     const Place place{.position = index, .field = field};
     append(m_all, journal().asRecorded(place, text, {}));
     append(entries, journal().judge(place, text, {}));

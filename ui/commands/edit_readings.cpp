@@ -59,12 +59,14 @@ QString ReadingsEditor::noun(ReadingColumn column) {
   return QCoreApplication::translate("ReadingColumn", infoOf(column).noun);
 }
 
-void ReadingsEditor::setCell(const ReadingCell& cell, const std::string& typed) {
+void ReadingsEditor::setCell(const ReadingCell& cell, const std::string& typed,
+                             const std::optional<Reading>& added) {
   const std::string text =
       isAngle(cell.column) ? completedAngle(typed, circleUnitOf(m_document.session())) : typed;
   if (cell.row >= readings().size()) {
     if (text.empty()) return;
-    Reading reading = followingReading(m_document.session(), m_position, m_document.chosenSighting());
+    Reading reading =
+        added ? *added : followingReading(m_document.session(), m_position, m_document.chosenSighting());
     reading.*readingText(cell.column) = text;
     replaceReadings(m_document, m_position, readings().size(), 0, {reading},
                     tr("Add point %1").arg(qText(reading.point)), journal_reasons::inserted);
@@ -113,10 +115,15 @@ void ReadingsEditor::addReason(const std::vector<std::size_t>& rows, const std::
   std::vector<NewText> texts;
   for (const std::size_t row : rows) {
     if (row >= readings().size() || !readings()[row].excluded) continue;
-    const std::string& note = readings()[row].note;
-    texts.push_back({row, ReadingColumn::Note, note.empty() ? reason : note + "; " + reason});
+    texts.push_back({row, ReadingColumn::Note, noteWith(row, reason)});
   }
   enterTexts(texts, tr("State why excluded"), journal_reasons::excluded);
+}
+
+std::string ReadingsEditor::noteWith(std::size_t row, const std::string& reason) const {
+  if (row >= readings().size()) return {};
+  const std::string& note = readings()[row].note;
+  return note.empty() ? reason : note + "; " + reason;
 }
 
 void ReadingsEditor::clear(const std::vector<ReadingCell>& cells, bool cut) {

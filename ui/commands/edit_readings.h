@@ -3,6 +3,7 @@
 #include <QCoreApplication>
 #include <QString>
 #include <cstddef>
+#include <optional>
 #include <vector>
 
 #include "core/adjustment/gross_errors/suspects.h"
@@ -24,14 +25,17 @@ class ReadingsEditor {
   ReadingsEditor(SessionDocument& document, std::size_t position)
       : m_document(document), m_position(position) {}
 
-  /// Sets the text of a cell. In the row after the last, appends a reading unless `typed` is empty. A typed
-  /// or pasted angle without a unit gets the session's unit (`completedAngle`).
-  void setCell(const ReadingCell& cell, const std::string& typed);
+  /// Sets the text of a cell. In the row after the last, appends a reading unless `typed` is empty: `added`,
+  /// or else the `followingReading`. A typed or pasted angle without a unit gets the session's unit
+  /// (`completedAngle`).
+  void setCell(const ReadingCell& cell, const std::string& typed, const std::optional<Reading>& added = {});
   void insertBlank(std::size_t row);
   void remove(const std::vector<std::size_t>& rows);
   void setExcluded(const std::vector<std::size_t>& rows, bool excluded);
   /// Adds the reason for the exclusion of these rows to their notes; ignores rows in use.
   void addReason(const std::vector<std::size_t>& rows, const std::string& reason);
+  /// The note of the row after `addReason`; empty if there is no such row.
+  std::string noteWith(std::size_t row, const std::string& reason) const;
   void clear(const std::vector<ReadingCell>& cells, bool cut = false);
 
   /// Pastes `block` from `row` on, its columns into `columns` in the same order. Appends rows beyond the end,

@@ -2,9 +2,11 @@
 
 #include <algorithm>
 #include <iterator>
+#include <optional>
 
 #include "ui/commands/change_session.h"
 #include "ui/commands/edit_readings.h"
+#include "ui/commands/explain_change.h"
 #include "ui/document/field.h"
 #include "ui/document/known_entry.h"
 #include "ui/document/session_document.h"
@@ -38,12 +40,28 @@ void handInReading(SessionDocument& document, const HalfTypedText& typed) {
     return info.field && info.field->key == typed.place.field;
   });
   if (column == std::end(allReadingColumns()) || !readingText(column->column)) return;
-  ReadingsEditor(document, *typed.place.position).setCell({*typed.place.reading, column->column}, typed.text);
+  std::optional<Reading> added;
+  if (!typed.point.empty()) {
+    added.emplace();
+    added->point = typed.point;
+    added->round = typed.round;
+    added->face = typed.face;
+  }
+  ReadingsEditor(document, *typed.place.position)
+      .setCell({*typed.place.reading, column->column}, typed.text, added);
+}
+
+void handInReason(SessionDocument& document, const HalfTypedText& typed) {
+  const std::size_t entries = document.session().journal.size(),
+                    first = typed.place.reading.value_or(entries);
+  if (first >= entries || typed.count > entries - first) return;
+  document.push(new ExplainChange(document, first, typed.count, typed.text));
 }
 
 void handInOne(SessionDocument& document, const HalfTypedText& typed) {
   const Place& place = typed.place;
   if (place.position && *place.position >= document.session().positions.size()) return;
+  if (place.field == "journal") return handInReason(document, typed);
   if (place.reading) return handInReading(document, typed);
   if (!typed.effect.empty() || knownAt(place)) return handInKnown(document, typed);
   if (fieldNamed(place.field)) changeField(document, place, typed.text);

@@ -7,10 +7,10 @@
 
 namespace alidade::ui {
 
-ReplaceSession::ReplaceSession(SessionDocument& document, Session session, const QString& text)
+ReplaceSession::ReplaceSession(SessionDocument& document, Session session, const QString& text, bool isNew)
     : SessionCommand(document, text),
       m_other(std::move(session)),
-      m_otherState(JournalKeeper::stateOf(m_other, true)) {}
+      m_otherState(JournalKeeper::stateOf(m_other, isNew)) {}
 
 void ReplaceSession::exchange() {
   edit({}, [this](Session& session) {

@@ -11,10 +11,11 @@ namespace alidade::ui {
 
 class SessionDocument;
 
-/// Replaces the whole session by another. Undo restores the previous session.
+/// Replaces the whole session by another. Undo restores the previous session. `isNew`: the other session was
+/// never in a file, so that its forms are still being filled in.
 class ReplaceSession : public SessionCommand {
  public:
-  ReplaceSession(SessionDocument& document, Session session, const QString& text);
+  ReplaceSession(SessionDocument& document, Session session, const QString& text, bool isNew = true);
 
   void undo() override { exchange(); }
   void redo() override { exchange(); }

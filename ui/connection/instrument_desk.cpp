@@ -41,7 +41,7 @@ InstrumentDesk::InstrumentDesk(SessionDocument& document, Dialogs& dialogs, cons
   connect(&m_flow, &ReadingFlow::heldChanged, this, &InstrumentDesk::showState);
   connect(&m_flow, &ReadingFlow::remark, this, &InstrumentDesk::report);
   connect(&m_flow, &ReadingFlow::landed, this, &InstrumentDesk::goOn);
-  connect(&m_link, &InstrumentLink::readingTaken, &m_flow, &ReadingFlow::add);
+  connect(&m_link, &InstrumentLink::readingTaken, this, &InstrumentDesk::accept);
   connect(&m_link, &InstrumentLink::remark, this, &InstrumentDesk::report);
   connect(&m_link, &InstrumentLink::succeeded, this, &InstrumentDesk::forgetRemark);
   connect(&m_link, &InstrumentLink::identified, this, &InstrumentDesk::noteIdentity);
@@ -114,7 +114,15 @@ void InstrumentDesk::toggle() {
 
 void InstrumentDesk::take() {
   if (!m_link.isOpen()) showDialog();
+  m_takingFor = m_document.sessionNumber();
   m_link.take();
+}
+
+/// Passes on a reading, unless its session was left since it was requested.
+void InstrumentDesk::accept(const InstrumentReading& reading) {
+  if (m_takingFor.value_or(m_document.sessionNumber()) == m_document.sessionNumber())
+    return m_flow.add(reading);
+  report(tr("The reading that came now was requested for another session and was not taken in: read again."));
 }
 
 /// Names the instrument in a session that names none; otherwise compares the serial numbers.
@@ -152,6 +160,7 @@ void InstrumentDesk::forgetRemark() {
 
 /// Updates the status text, which is visible from the first connection on.
 void InstrumentDesk::showState() {
+  if (!m_link.isTaking()) m_takingFor.reset();
   m_status->setText(m_flow.isHeldByEntry()
                         ? tr("%1 readings wait until the open entry is accepted (Enter) or cancelled (Esc)")
                               .arg(m_flow.waiting())

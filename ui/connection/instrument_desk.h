@@ -1,6 +1,7 @@
 #pragma once
 
 #include <QObject>
+#include <optional>
 
 #include "core/base/problem.h"
 #include "ui/connection/instrument_link.h"
@@ -50,6 +51,7 @@ class InstrumentDesk : public QObject {
  private:
   TalkCircles circles() const;
   ReadingFlow::Front front() const;
+  void accept(const InstrumentReading& reading);
   void report(const QString& sentence);
   void forgetRemark();
   void showState();
@@ -62,6 +64,7 @@ class InstrumentDesk : public QObject {
   InstrumentLink m_link;
   ReadingFlow m_flow;
   PositionTabs* m_positions = nullptr;
+  std::optional<int> m_takingFor;  ///< number of the session for which a reading was requested
   bool m_isHeld = false;
   bool m_isIdentityDue = false;          ///< the instrument named itself while the session was held
   bool m_hasRemark = false;              ///< a failure is shown and nothing has succeeded since

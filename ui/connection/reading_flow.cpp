@@ -1,6 +1,7 @@
 #include "ui/connection/reading_flow.h"
 
 #include <QDateTime>
+#include <utility>
 
 #include "core/session/face.h"
 #include "ui/document/session_document.h"
@@ -19,13 +20,17 @@ std::string timeOfNow() {
 }  // namespace
 
 ReadingFlow::ReadingFlow(SessionDocument& document, QObject* parent)
-    : QObject(parent), m_document(document), m_front([] { return Front(); }) {
+    : QObject(parent),
+      m_document(document),
+      m_front([] { return Front(); }),
+      m_session(document.sessionNumber()) {
   connect(&document, &SessionDocument::changed, this, [this](const SessionChange& change) {
     m_evaluation.reset();
     const bool isOfOthers =
         change.kind == SessionChange::Kind::Everything || change.kind == SessionChange::Kind::Positions;
     if (isOfOthers) m_before = {};
   });
+  connect(&document, &SessionDocument::identityChanged, this, &ReadingFlow::leaveSession);
   // Queued, since `HalfTyped` drops a committed entry before the session receives that entry.
   connect(
       &document.halfTyped(), &HalfTyped::changed, this,
@@ -43,6 +48,18 @@ void ReadingFlow::add(const InstrumentReading& reading) {
   if (!m_question.isEmpty()) emit questionChanged();  // the bar shows how many readings wait
   proceed();
   emit heldChanged();
+}
+
+/// Drops the readings that were taken for a session that is no longer current. `FileFlow` asked about them,
+/// unless undo or redo led to another session.
+void ReadingFlow::leaveSession() {
+  if (std::exchange(m_session, m_document.sessionNumber()) == m_document.sessionNumber()) return;
+  const std::size_t dropped = std::exchange(m_waiting, {}).size();
+  ask({});
+  if (dropped == 0) return;
+  emit heldChanged();
+  emit remark(
+      tr("Readings that waited for the session before, and were not taken into this one: %1.").arg(dropped));
 }
 
 void ReadingFlow::setHeld(bool isHeld) {

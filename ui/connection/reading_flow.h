@@ -16,7 +16,8 @@ class SessionDocument;
 
 /// Stores readings of an instrument in the session, one after the other. Each reading waits until the
 /// previous one is evaluated, so that the expected reading is known. A doubtful reading (`readingQuestion`)
-/// waits for an answer, and later readings wait behind it. Never blocks the window, never loses a reading.
+/// waits for an answer, and later readings wait behind it. Never blocks the window, never loses a reading of
+/// the session that it was taken for, and never gives it to another session.
 class ReadingFlow : public QObject {
   Q_OBJECT
 
@@ -55,6 +56,7 @@ class ReadingFlow : public QObject {
 
  private:
   void proceed();
+  void leaveSession();
   std::optional<Landing> landing() const;
   void landFirst(const Landing& landing);
   void ask(const QString& question);
@@ -63,6 +65,7 @@ class ReadingFlow : public QObject {
   std::function<Front()> m_front;
   SharedEvaluation m_evaluation;  ///< null if the session changed after the last evaluation
   std::deque<InstrumentReading> m_waiting;
+  int m_session;  ///< number of the session that the waiting readings were taken for
   TakenBefore m_before;
   QString m_question;  ///< about the first waiting reading
   bool m_isHeld = false;

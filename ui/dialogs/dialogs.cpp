@@ -57,18 +57,38 @@ QString saveFile(QWidget* parent, const QString& title, const QString& suggestio
   return dialog.exec() == QDialog::Accepted ? dialog.selectedFiles().value(0) : QString();
 }
 
+QString lossText(const Dialogs::Unsaved& unsaved) {
+  const QString name = shortLine(unsaved.name, longestName);
+  QStringList sentences;
+  if (unsaved.isModified) sentences.append(DialogsText::tr("“%1” has unsaved changes.").arg(name));
+  if (unsaved.waiting > 0)
+    sentences.append(DialogsText::tr("Readings of the instrument that are not in “%1” yet: %2.")
+                         .arg(name, QString::number(unsaved.waiting)));
+  return sentences.join(u' ');
+}
+
+QString lossRemedy(const Dialogs::Unsaved& unsaved) {
+  QStringList sentences;
+  if (unsaved.waiting > 0)
+    sentences.append(DialogsText::tr(
+        "Cancel to take them in first: a doubtful reading has a question above the table of readings."));
+  sentences.append(unsaved.isModified ? DialogsText::tr("Discarded changes cannot be brought back.")
+                                      : DialogsText::tr("Discarded readings cannot be brought back."));
+  return sentences.join(u' ');
+}
+
 }  // namespace
 
-Dialogs::SaveAnswer Dialogs::askSaveChanges(const QString& name) {
-  QMessageBox box(QMessageBox::Warning, DialogsText::tr("Unsaved changes"),
-                  DialogsText::tr("“%1” has unsaved changes.").arg(shortLine(name, longestName)),
-                  QMessageBox::Save | QMessageBox::Discard | QMessageBox::Cancel, m_parent);
-  box.setInformativeText(DialogsText::tr("Discarded changes cannot be brought back."));
-  box.button(QMessageBox::Save)->setText(DialogsText::tr("&Save"));
+Dialogs::SaveAnswer Dialogs::askLeave(const Unsaved& unsaved) {
+  QMessageBox box(QMessageBox::Warning, DialogsText::tr("Unsaved changes"), lossText(unsaved),
+                  QMessageBox::Discard | QMessageBox::Cancel, m_parent);
+  if (unsaved.isModified) box.addButton(QMessageBox::Save)->setText(DialogsText::tr("&Save"));
+  box.setInformativeText(lossRemedy(unsaved));
   box.button(QMessageBox::Discard)->setText(DialogsText::tr("&Discard"));
   box.button(QMessageBox::Cancel)->setText(DialogsText::tr("&Cancel"));
-  box.setDefaultButton(QMessageBox::Save);
-  makeSafeButton(*qobject_cast<QPushButton*>(box.button(QMessageBox::Save)));
+  const auto safe = unsaved.isModified ? QMessageBox::Save : QMessageBox::Cancel;
+  box.setDefaultButton(safe);
+  makeSafeButton(*qobject_cast<QPushButton*>(box.button(safe)));
   switch (box.exec()) {
     case QMessageBox::Save:
       return SaveAnswer::Save;

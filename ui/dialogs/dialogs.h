@@ -38,7 +38,14 @@ class Dialogs {
   QStringList readFiles() const { return m_readFiles ? m_readFiles() : QStringList(); }
   void setReadFiles(std::function<QStringList()> files) { m_readFiles = std::move(files); }
 
-  virtual SaveAnswer askSaveChanges(const QString& name);
+  /// What leaving a session would lose.
+  struct Unsaved {
+    QString name = {};        ///< of the session
+    bool isModified = true;   ///< it has changes that its file lacks
+    std::size_t waiting = 0;  ///< readings of the instrument that are not in the session yet
+  };
+  /// Offers Save only if the session is modified: saving does not take in waiting readings.
+  virtual SaveAnswer askLeave(const Unsaved& unsaved);
   /// Asks whether undo or redo may discard the changes of another session. `name` is empty if that session
   /// was never saved.
   virtual bool askDiscardOther(const QString& name, Way way);

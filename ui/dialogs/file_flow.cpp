@@ -326,10 +326,14 @@ bool FileFlow::mayLeave() {
 }
 
 bool FileFlow::mayLeaveChanges() {
-  if (!m_document.isModified()) return true;
-  switch (m_dialogs.askSaveChanges(m_document.displayName())) {
+  if (const QString path = m_document.path(); !path.isEmpty() && !QFileInfo::exists(path))
+    m_document.markFileGone();
+  const Dialogs::Unsaved unsaved{m_document.displayName(), m_document.isModified(),
+                                 m_waiting ? m_waiting() : 0};
+  if (!unsaved.isModified && unsaved.waiting == 0) return true;
+  switch (m_dialogs.askLeave(unsaved)) {
     case Dialogs::SaveAnswer::Save:
-      return save() && mayLeaveChanges();  // a reading that waited may have come in since
+      return save() && mayLeaveChanges();  // a reading may wait still, or may have come in since
     case Dialogs::SaveAnswer::Discard:
       return true;
     case Dialogs::SaveAnswer::Cancel:

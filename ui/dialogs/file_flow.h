@@ -2,7 +2,10 @@
 
 #include <QObject>
 #include <QString>
+#include <cstddef>
+#include <functional>
 #include <optional>
+#include <utility>
 
 #include "ui/dialogs/changed_file.h"
 #include "ui/dialogs/report_flow.h"
@@ -53,6 +56,8 @@ class FileFlow : public QObject {
   void setLockFolder(const QString& folder);
   /// Stores a check of the uncertainty, for reports of its session.
   void setBudgetCheck(const SharedBudgetCheck& check) { m_reports.setBudgetCheck(check); }
+  /// The number of readings that wait for the session: leaving the session asks about them.
+  void setWaiting(std::function<std::size_t()> waiting) { m_waiting = std::move(waiting); }
   /// Asks whether the session, and the sessions to which undo and redo lead, may be left. Saves first if the
   /// user agrees.
   bool mayLeave();
@@ -83,6 +88,7 @@ class FileFlow : public QObject {
 
   SessionDocument& m_document;
   Dialogs& m_dialogs;
+  std::function<std::size_t()> m_waiting;
   FileLock m_lock;
   ReportFlow m_reports;
   int m_holds = 0;  ///< nested calls that hold the session

@@ -163,8 +163,8 @@ bool Safekeeping::recover(Left& left) {
   const bool isInFile = QFileInfo(path).isFile() && !m_document.load(path);
   if (!isInFile) m_document.startNew();
   if (left.record.session != m_document.session())
-    m_document.push(
-        new ReplaceSession(m_document, std::move(left.record.session), tr("Recover unsaved changes")));
+    m_document.push(new ReplaceSession(m_document, std::move(left.record.session),
+                                       tr("Recover unsaved changes"), path.isEmpty()));
   handIn(m_document, left.typed);
   m_keeper.adopt(std::move(left.slot));
   emit remark(tr("Recovered %1; not saved yet").arg(left.offer.name));

@@ -6,9 +6,13 @@
 namespace alidade::ui {
 
 void HalfTyped::set(const QObject* entry, HalfTypedText text, bool isChanged) {
+  set(entry, std::vector{std::move(text)}, isChanged);
+}
+
+void HalfTyped::set(const QObject* entry, std::vector<HalfTypedText> texts, bool isChanged) {
   const auto [open, isNew] = m_open.try_emplace(entry);
   if (isNew) connect(entry, &QObject::destroyed, this, [this, entry] { clear(entry); });
-  open->second = {std::move(text), isChanged};
+  open->second = {std::move(texts), isChanged};
   emit changed();
 }
 
@@ -21,13 +25,14 @@ void HalfTyped::clear(const QObject* entry) {
 std::vector<HalfTypedText> HalfTyped::texts() const {
   std::vector<HalfTypedText> texts;
   for (const auto& [entry, open] : m_open)
-    if (open.isChanged) texts.push_back(open.text);
+    if (open.isChanged) texts.insert(texts.end(), open.texts.begin(), open.texts.end());
   return texts;
 }
 
 bool HalfTyped::isOpenInPosition() const {
-  return std::ranges::any_of(m_open,
-                             [](const auto& open) { return open.second.text.place.position.has_value(); });
+  const auto isInPosition = [](const HalfTypedText& text) { return text.place.position.has_value(); };
+  return std::ranges::any_of(
+      m_open, [&](const auto& open) { return std::ranges::any_of(open.second.texts, isInPosition); });
 }
 
 }  // namespace alidade::ui

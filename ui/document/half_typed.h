@@ -16,7 +16,13 @@ struct HalfTypedText {
   /// Ids of effect and parameter if the text is for a catalogued number that has no known size yet; then
   /// `place.field` is "value", "sigma" or "from". Empty otherwise.
   std::string effect = {}, parameter = {};
+  /// Point, round and face of a new row as the table showed them; in a protocol by worth they cannot be found
+  /// again. Empty if the text is not for a new row.
+  std::string point = {}, round = {}, face = {};
   std::string text = {};  ///< the text to be committed
+  /// With the field "journal": the number of entries from `place.reading` on that the text gives a reason
+  /// for.
+  std::size_t count = 1;
 
   bool operator==(const HalfTypedText&) const = default;
 };
@@ -30,6 +36,8 @@ class HalfTyped : public QObject {
 
   /// Records that `entry` is open with this text; `isChanged`: the text differs from the session.
   void set(const QObject* entry, HalfTypedText text, bool isChanged);
+  /// Likewise for an entry that is for several places.
+  void set(const QObject* entry, std::vector<HalfTypedText> texts, bool isChanged);
   /// Removes the text of `entry`, which was committed, cancelled or destroyed.
   void clear(const QObject* entry);
 
@@ -44,7 +52,7 @@ class HalfTyped : public QObject {
 
  private:
   struct Open {
-    HalfTypedText text;
+    std::vector<HalfTypedText> texts;
     bool isChanged = false;
   };
 

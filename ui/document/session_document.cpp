@@ -87,6 +87,11 @@ void SessionDocument::markSaved(const QString& path, const QByteArray& sha256) {
   emit identityChanged();
 }
 
+void SessionDocument::markFileGone() {
+  m_files.setUnsaved(m_undoStack.index());
+  emit identityChanged();
+}
+
 void SessionDocument::edit(EditKey /*key*/, const SessionChange& change,
                            const std::function<void(Session&)>& write) {
   emit aboutToChange(change);

@@ -49,6 +49,8 @@ class SessionDocument : public QObject {
   QStringList readPaths() const { return m_readPaths; }
   void noteRead(const QStringList& paths) { m_readPaths += paths; }
   QString displayName() const;  ///< the file's name, or "Untitled"
+  /// Which session is current: each new, opened or imported session has a number of its own.
+  int sessionNumber() const { return m_files.session(m_undoStack.index()); }
   bool isModified() const { return m_files.isModified(m_undoStack.index()); }
   /// The path of another session with unsaved changes, to which redo (ahead) or undo (behind) leads.
   std::optional<QString> unsavedAhead() const {
@@ -85,6 +87,8 @@ class SessionDocument : public QObject {
   QByteArray knownSha256() const { return m_knownSha256.value(path()); }
   /// Records that the current session equals the file at `path`, whose bytes have this SHA-256.
   void markSaved(const QString& path, const QByteArray& sha256);
+  /// Records that the file at `path()` is gone: the session is modified until it is saved again.
+  void markFileGone();
 
  signals:
   void aboutToChange(const alidade::ui::SessionChange& change);

@@ -15,7 +15,7 @@ bool areSameFile(const QString& one, const QString& other) {
 }  // namespace
 
 void SessionFiles::restart(const QString& path) {
-  m_files = {{.path = path, .savedAt = 0}};
+  m_files = {{.path = path, .session = ++m_lastSession, .savedAt = 0}};
 }
 
 void SessionFiles::dropFrom(int index) {
@@ -27,7 +27,7 @@ void SessionFiles::dropFrom(int index) {
 
 void SessionFiles::beginAnother(int index) {
   m_files.back().isGivenUp = isModified(index);
-  m_files.push_back({.begins = index + 1});
+  m_files.push_back({.session = ++m_lastSession, .begins = index + 1});
 }
 
 void SessionFiles::setSaved(int index, const QString& path) {

@@ -22,10 +22,14 @@ class SessionFiles {
   /// Records that the session at `index` was saved in `path`. If another session had this file, that session
   /// then has no file, as the user agreed.
   void setSaved(int index, const QString& path);
+  /// Records that the file of the session at `index` is gone, so that the session is saved nowhere.
+  void setUnsaved(int index) { m_files[at(index)].savedAt = -1; }
 
   QStringList paths() const;                                         ///< paths of all sessions with a file
   QString path(int index) const { return m_files[at(index)].path; }  ///< empty: never saved
   bool isModified(int index) const { return m_files[at(index)].savedAt != index; }
+  /// A number that no other session has had in these files: it tells which session is current at `index`.
+  int session(int index) const { return m_files[at(index)].session; }
   /// The path of a session with unsaved changes to which redo leads from `index`; absent if redo leads to no
   /// unsaved changes. `count`: the number of commands on the stack.
   std::optional<QString> unsavedAhead(int index, int count) const;
@@ -35,6 +39,7 @@ class SessionFiles {
  private:
   struct File {
     QString path = {};
+    int session = 0;
     int begins = 0;          ///< index from which on the session is current
     int savedAt = -1;        ///< index at which the session equals its file; −1: none
     bool isGivenUp = false;  ///< the user agreed to leave the session unsaved
@@ -44,6 +49,7 @@ class SessionFiles {
   bool isUnsaved(std::size_t file, int count) const;
 
   std::vector<File> m_files = {{.savedAt = 0}};  ///< in the order of the stack
+  int m_lastSession = 0;
 };
 
 }  // namespace alidade::ui

@@ -32,6 +32,7 @@ EntryGuide::EntryGuide(SessionDocument& document, PositionTabs& positions, QWidg
   connect(new StrayDigits(window), &StrayDigits::typed, this,
           [this](QKeyEvent* event) { takeDigit(*event); });
   connect(&positions, &PositionTabs::entered, this, &EntryGuide::reportEntry);
+  connect(&positions, &PositionTabs::zeroEntered, this, [this] { goOnSoon(true); });
   connect(&positions, &QTabWidget::currentChanged, this, &EntryGuide::showNext);
   connect(&document, &SessionDocument::changed, this, &EntryGuide::dropDoubt);
 }
@@ -84,9 +85,15 @@ void EntryGuide::goToMissingOf(std::size_t position, const std::string& zero) {
       return emit revealWanted(place);
 }
 
-/// Moves the focus if the protocol's next sighting is a pointing zero or in another position. While the
-/// position in front lacks readings, a zero that was skipped before existing readings does not move it.
-void EntryGuide::goOn() {
+/// Goes on after the event of the key that ended the entry, which moves the focus itself.
+void EntryGuide::goOnSoon(bool isFromZero) {
+  QTimer::singleShot(0, this, [this, isFromZero] { goOn(isFromZero); });
+}
+
+/// Moves the focus if the protocol's next sighting is a pointing zero or in another position, and from a zero
+/// in any case. While the position in front lacks readings, a zero that was skipped before existing readings
+/// does not move it.
+void EntryGuide::goOn(bool isFromZero) {
   const Session& session = m_document.session();
   const auto progress = progressIn(session, m_document.chosenSighting());
   const auto here = static_cast<std::size_t>(std::max(0, m_positions.currentIndex()));
@@ -96,7 +103,7 @@ void EntryGuide::goOn() {
   const bool isBefore =
       isZero && !next.planned.isAfter && !session.positions[*next.position].readings.empty();
   if (isBefore && nextPlaceIn(*progress, here)) return;
-  if (isZero || next.position != here)
+  if (isFromZero || isZero || next.position != here)
     if (const auto entry = entryToCome(session, here, &*progress)) goTo(*entry);
 }
 
@@ -126,7 +133,7 @@ void EntryGuide::reportEntry(std::size_t position, std::size_t row, ReadingColum
                              const QString& doubt) {
   if (m_bench) m_bench->setDoubt(doubt);
   m_doubted = Doubted{position, row, column, textAt(m_document.session(), position, row, column)};
-  QTimer::singleShot(0, this, &EntryGuide::goOn);  // after the event of the key that ended the entry
+  goOnSoon(false);
   if (doubt.isEmpty()) return;
   emit remark(doubt);
   if (hasTone()) QApplication::beep();

@@ -49,7 +49,8 @@ class EntryGuide : public QObject {
   void goToNextEntryOf(std::size_t position);
   void goTo(const EntryToCome& next);
   void goToMissingOf(std::size_t position, const std::string& zero);
-  void goOn();
+  void goOnSoon(bool isFromZero);
+  void goOn(bool isFromZero);
   void takeDigit(QKeyEvent& event);
   void reportEntry(std::size_t position, std::size_t row, ReadingColumn column, const QString& doubt);
   void dropDoubt(const SessionChange& change);

@@ -106,13 +106,16 @@ QString ReadingsModel::titleOf(ReadingColumn column) const {
   return headerData(static_cast<int>(column), Qt::Horizontal, Qt::DisplayRole).toString();
 }
 
+Reading ReadingsModel::added() const {
+  return followingReading(m_document.session(), m_position, m_document.chosenSighting());
+}
+
 QVariant ReadingsModel::pendingRowData(ReadingColumn column, int role) const {
   if (role == PendingRowRole) return true;
   if (role == Qt::AccessibleTextRole && column != ReadingColumn::Point)
     return tr("%1: to be added").arg(titleOf(column));
   if (role == Qt::DisplayRole && column == ReadingColumn::Point) {
-    const Reading next = followingReading(m_document.session(), m_position, m_document.chosenSighting());
-    return shortLine(next.point, longestCell);
+    return shortLine(added().point, longestCell);
   }
   if (role == Qt::ToolTipRole) return tr("Type here to add a reading");
   return {};

@@ -34,6 +34,7 @@ class ReadingsModel : public QAbstractTableModel {
 
   std::size_t position() const { return m_position; }
   int readingCount() const;  ///< rows without the empty one at the end
+  Reading added() const;     ///< the reading that typing into the empty row at the end adds
 
   int rowCount(const QModelIndex& parent = {}) const override;
   int columnCount(const QModelIndex& parent = {}) const override;

@@ -28,8 +28,10 @@ FileWatch::FileWatch(SessionDocument& document, QObject* parent)
 /// Also watches the folder, since replacing a file ends the watch on it.
 void FileWatch::follow() {
   const QFileInfo file(m_document.path());
-  const QStringList wanted =
-      file.isFile() ? QStringList{file.absoluteFilePath(), file.absolutePath()} : QStringList();
+  QStringList wanted;
+  if (file.isFile()) wanted.append(file.absoluteFilePath());
+  if (!m_document.path().isEmpty() && QFileInfo(file.absolutePath()).isDir())
+    wanted.append(file.absolutePath());
   const QStringList watched = m_watcher.files() + m_watcher.directories();
   if (watched == wanted) return;
   if (!watched.isEmpty()) m_watcher.removePaths(watched);
@@ -56,6 +58,25 @@ void FileWatch::setHeld(bool is) {
   if (!is) look();
 }
 
+FileState FileWatch::stateBy(const QByteArray& sha256) const {
+  if (!sha256.isEmpty()) return sha256 == m_seen.knownSha256 ? FileState::Known : FileState::Changed;
+  return m_seen.path.isEmpty() || QFileInfo::exists(m_seen.path) ? FileState::Known : FileState::Missing;
+}
+
+/// A file is missing once it has been missing for a while: a program that saves may remove it for a moment.
+bool FileWatch::isToBeSeenAgain(FileState state) {
+  constexpr int leastMs = 800, againMs = 1000;
+  if (state != FileState::Missing) {
+    m_missing.invalidate();
+    return false;
+  }
+  if (!m_missing.isValid()) m_missing.start();
+  if (m_missing.elapsed() >= leastMs) return false;
+  m_seen = {};
+  QTimer::singleShot(againMs, this, &FileWatch::look);
+  return true;
+}
+
 /// Ignores the result if another file is current now, or if the session was saved meanwhile.
 void FileWatch::finishReading(const QByteArray& sha256) {
   if (m_isHeld) {
@@ -63,8 +84,8 @@ void FileWatch::finishReading(const QByteArray& sha256) {
     return;
   }
   if (m_seen.path == m_document.path() && m_seen.knownSha256 == m_document.knownSha256()) {
-    const bool isChanged = !sha256.isEmpty() && sha256 != m_seen.knownSha256;
-    if (isChanged != std::exchange(m_isChanged, isChanged)) emit changedElsewhere(isChanged);
+    const FileState state = stateBy(sha256);
+    if (!isToBeSeenAgain(state) && state != std::exchange(m_state, state)) emit stateChanged(state);
   }
   if (std::exchange(m_isDue, false)) look();
 }

@@ -3,6 +3,7 @@
 #include <QJsonArray>
 #include <QJsonDocument>
 #include <QJsonObject>
+#include <algorithm>
 
 #include "core/base/phrase.h"
 #include "ui/text/entry_text.h"
@@ -16,9 +17,9 @@ const QString typedFormatName = QStringLiteral("alidade-half-typed-1");
 constexpr struct {
   const char* key;
   std::string HalfTypedText::*text;
-} typedTexts[] = {{"effect", &HalfTypedText::effect},
-                  {"parameter", &HalfTypedText::parameter},
-                  {"text", &HalfTypedText::text}};
+} typedTexts[] = {{"effect", &HalfTypedText::effect}, {"parameter", &HalfTypedText::parameter},
+                  {"point", &HalfTypedText::point},   {"round", &HalfTypedText::round},
+                  {"face", &HalfTypedText::face},     {"text", &HalfTypedText::text}};
 
 constexpr struct {
   const char* key;
@@ -30,6 +31,7 @@ QJsonObject jsonOf(const HalfTypedText& typed) {
   for (const auto& [key, index] : typedIndices)
     if (const auto value = typed.place.*index) json[QLatin1String(key)] = static_cast<qint64>(*value);
   for (const auto& [key, text] : typedTexts) json[QLatin1String(key)] = qText(typed.*text);
+  json[QLatin1String("count")] = static_cast<qint64>(typed.count);
   return json;
 }
 
@@ -42,6 +44,8 @@ HalfTypedText typedOf(const QJsonObject& json) {
   }
   for (const auto& [key, text] : typedTexts)
     typed.*text = json.value(QLatin1String(key)).toString().toStdString();
+  typed.count =
+      static_cast<std::size_t>(std::max<qint64>(1, json.value(QLatin1String("count")).toInteger(1)));
   return typed;
 }
 

@@ -4,6 +4,7 @@
 #include <QFontDatabase>
 #include <QFontInfo>
 #include <QFontMetrics>
+#include <QScreen>
 #include <QSettings>
 #include <QWidget>
 #include <algorithm>
@@ -67,6 +68,10 @@ void scaleFont(QWidget& widget, double factor) {
 int byFont(int pixels) {
   const double height = QFontMetrics(QApplication::font()).height();
   return static_cast<int>(std::lround(pixels * std::max(1.0, height / usualHeight)));
+}
+
+int withinScreen(const QWidget& part, int width, int least, int percent) {
+  return std::min(width, std::max(least, part.screen()->availableGeometry().width() * percent / 100));
 }
 
 }  // namespace alidade::ui

@@ -45,5 +45,8 @@ void layOutByFont(QWidget& widget, const std::function<void()>& layOut);
 void scaleFont(QWidget& widget, double factor);
 /// `pixels` for DejaVu Sans at 9.5 points, enlarged in proportion to the line height of a larger font.
 int byFont(int pixels);
+/// The minimum width of a part of a window: `width`, but at most `percent` of the screen, so that a large
+/// font leaves the window within its screen; at least `least`, the width for the usual font.
+int withinScreen(const QWidget& part, int width, int least, int percent);
 
 }  // namespace alidade::ui

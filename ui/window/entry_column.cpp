@@ -56,7 +56,8 @@ EntryColumn::EntryColumn(SessionDocument& document, SessionJobs& jobs, Instrumen
   m_column = split(Qt::Vertical, "entries", {top, createFindings(low)}, {620, low ? 30 : 90});
   m_widget = padded(m_column, {6, 6, 0, 6});
   layOutByFont(*m_widget, [widget = m_widget, &window] {
-    widget->setMinimumWidth(byFont(isNarrow(window) ? 422 : 440));  // fits every placeholder of the forms
+    const int least = isNarrow(window) ? 422 : 440;  // fits every placeholder of the forms
+    widget->setMinimumWidth(withinScreen(window, byFont(least), least, 45));
     widget->setMaximumWidth(byFont(760));  // fits every column of readings, and a note
   });
   setParent(m_widget);

@@ -37,7 +37,6 @@ TEST(FollowingReading, CountsOnInTheDirectionOfTheLastTwo) {
   EXPECT_EQ(after({row(1)}), "2/1/1");
   EXPECT_EQ(after({row(5), row(6)}), "7/1/1");
   EXPECT_EQ(after({row(9), row(8)}), "7/1/1");
-  EXPECT_EQ(after({row(2), row(1)}), "2/1/1") << "there is no point 0 to go back to";
   EXPECT_EQ(after({row(3, 2, 2)}), "4/2/2") << "round and face stay";
 }
 
@@ -53,6 +52,17 @@ TEST(FollowingReading, GoesBackAsItCame) {
     order += shortText(rows.back()) + " ";
   }
   EXPECT_EQ(order, "4/2/1 2/2/1 1/2/1 ");
+}
+
+TEST(FollowingReading, BeginsANewRoundWhereAWayBackEnds) {
+  EXPECT_EQ(after({row(2), row(1)}), "1/2/1") << "there is no point 0 to go back to";
+  const std::vector<Reading> thereAndBack{row(1), row(2), row(3), row(3, 2), row(2, 2), row(1, 2)};
+  EXPECT_EQ(after(thereAndBack), "1/3/1") << "point 2 of round 2 is taken";
+  std::vector<Reading> begun = thereAndBack;
+  begun.push_back(row(1, 3));
+  EXPECT_EQ(after(begun), "2/3/1");
+  const std::vector<Reading> inPairs{row(2), row(2, 1, 2), row(1), row(1, 1, 2)};
+  EXPECT_EQ(after(inPairs), "1/2/1") << "both faces at each place";
 }
 
 TEST(FollowingReading, RepeatsARoundInItsOrder) {

@@ -30,6 +30,19 @@ TEST(HandIn, EntersEveryKindOfTextAsItsEntryWould) {
   EXPECT_EQ(entered.instrument.known[1].value, "12");
 }
 
+/// Among others, a protocol by worth chose the place, which a recovered session cannot choose again.
+TEST(HandIn, AddsTheRowThatWasTypedFor) {
+  const Session entered =
+      withHandedIn(paperSession(), {{.place = {.position = 1, .reading = 17, .field = "vertical"},
+                                     .point = "5",
+                                     .round = "3",
+                                     .face = "2",
+                                     .text = "88 1"}});
+  const Reading& added = entered.positions[1].readings.at(17);
+  EXPECT_EQ(added.vertical, "88 1");
+  EXPECT_EQ(added.point + ' ' + added.round + ' ' + added.face, "5 3 2");
+}
+
 /// Another program may have removed the entry from the file while it was being typed.
 TEST(HandIn, PassesOverWhatTheSessionDoesNotHave) {
   const Session session = paperSession();
@@ -40,6 +53,7 @@ TEST(HandIn, PassesOverWhatTheSessionDoesNotHave) {
            {.place = {.position = 0, .reading = 0, .field = "no such"}, .text = "1"},
            {.place = {.position = 0, .reading = 0, .field = "excluded"}, .text = "1"},
            {.place = {.field = "instrument.known[5].value"}, .text = "1"},
+           {.place = {.reading = 0, .field = "journal"}, .text = "1"},
            {.place = {.field = "value"}, .effect = "no_such", .parameter = "tilt", .text = "1"},
            {.place = {.field = "no such"}, .effect = "trunnion_tilt", .parameter = "tilt", .text = "1"}})
     EXPECT_EQ(withHandedIn(session, {typed}), session) << typed.place.path();

@@ -1,6 +1,6 @@
 #include "ui/commands/change_positions.h"
 
-#include <gtest/gtest.h>
+#include <gmock/gmock.h>
 
 #include <QAction>
 #include <QMenuBar>
@@ -28,6 +28,22 @@ TEST(RemovePosition, TakesAsManyRowsAsThereAreAndBringsThemBack) {
     document.undoStack().redo();
     EXPECT_EQ(document.session().positions.size(), 1u) << rows;
   }
+}
+
+TEST(RemovePosition, ListsEverySightingOfItsZeroInTheJournal) {
+  Session session = paperSession();
+  PointingZero& zero = session.positions[1].zero;
+  zero.faceTwo.horizontal = "152 32 51";
+  zero.after.vertical = "89 59 57";
+  zero.afterInTwo.horizontal = "152 32 52";
+  SessionDocument document;
+  document.startWithRecorded(session);
+  removePosition(document, 1);
+  std::vector<std::string> gone;
+  for (const JournalEntry& entry : document.session().journal)
+    if (entry.place.starts_with("positions[1].pointing_zero.")) gone.push_back(entry.from);
+  EXPECT_THAT(gone, testing::ElementsAre(zero.horizontal, zero.vertical, zero.faceTwo.horizontal,
+                                         zero.after.vertical, zero.afterInTwo.horizontal));
 }
 
 /// The menu entry that deletes the position in front.

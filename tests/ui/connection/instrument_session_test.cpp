@@ -268,6 +268,21 @@ TEST_F(InstrumentSession, AQuestionedReadingIsTakenWhenWanted) {
   EXPECT_EQ(bench.session().positions[0].readings[0].face, "1");
 }
 
+TEST_F(InstrumentSession, AReadingIsNotGivenToASessionOpenedMeanwhile) {
+  Simulator simulator(sessionToRead(), {});
+  Bench bench;
+  bench.start(blankOf(sessionToRead()));
+  bench.connectTo(simulator.path, Protocol::GeoCom);
+  ASSERT_TRUE(waitFor([&] { return !bench.desk().link().identity().serial.empty(); })) << bench.log();
+  bench.desk().take();
+  ASSERT_TRUE(bench.desk().link().isTaking());
+  bench.start(blankOf(sessionToRead()));
+  ASSERT_TRUE(waitFor([&] { return !bench.desk().link().isTaking(); })) << bench.log();
+  EXPECT_EQ(bench.landed() + bench.desk().flow().waiting(), 0U);
+  bench.desk().take();
+  EXPECT_TRUE(waitFor([&] { return bench.landed() == 1; })) << bench.log();
+}
+
 TEST_F(InstrumentSession, APortThatIsNotThereAndOneThatBreaksAreSentences) {
   Bench bench;
   bench.start(blankOf(sessionToRead()));

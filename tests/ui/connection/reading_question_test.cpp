@@ -2,11 +2,15 @@
 #include <gtest/gtest.h>
 
 #include <QFile>
+#include <QPushButton>
 #include <QTemporaryDir>
 
 #include "core/connection/geocom_message.h"
 #include "tests/ui/connection/landing_window.h"
+#include "ui/commands/change_session.h"
+#include "ui/commands/session_commands.h"
 #include "ui/connection/reading_question_bar.h"
+#include "ui/document/session_document.h"
 
 // Questions about a reading before it is stored, without a protocol.
 
@@ -77,6 +81,76 @@ TEST(ReadingQuestion, AnImportIsAddedToWhatCameMeanwhile) {
   EXPECT_EQ(window.session().positions[1].readings.size(), 2U);
   EXPECT_TRUE(waitFor([&] { return window.session().positions[0].readings.size() == 5; }))
       << window.question();
+}
+
+/// A window with a session in a file, and two readings that wait for an answer.
+struct TwoWaiting {
+  QTemporaryDir folder;
+  LandingWindow window{begunWithoutProtocol()};
+  QPushButton* discard = window.open->findChild<QPushButton*>(QStringLiteral("discard questioned reading"));
+
+  TwoWaiting() {
+    window.putInFront(0);
+    window.open.dialogs->savePath = folder.filePath(QStringLiteral("a.alidade"));
+    EXPECT_TRUE(window.open->files().save());
+    const InstrumentReading again = readingOf(paperSession().positions[0].readings[2]);
+    EXPECT_THAT(window.add(again), Not(IsEmpty()));
+    window.flow().add(readingOf(paperSession().positions[0].readings[4]));
+  }
+  FileFlow& files() { return window.open->files(); }
+  ScriptedDialogs& dialogs() { return *window.open.dialogs; }
+};
+
+TEST(WaitingReadings, AreAskedAboutBeforeTheirSessionIsLeft) {
+  TwoWaiting two;
+  const Session before = two.window.session();
+  EXPECT_FALSE(two.files().startNew());
+  EXPECT_FALSE(two.window.open->close());
+  EXPECT_EQ(two.dialogs().saveQuestions, 2);
+  EXPECT_EQ(two.dialogs().leaving.waiting, 2U);
+  EXPECT_FALSE(two.dialogs().leaving.isModified) << "there is nothing that saving would keep";
+  EXPECT_EQ(two.window.session(), before);
+  EXPECT_EQ(two.window.flow().waiting(), 2U) << "cancelled";
+  ASSERT_TRUE(two.discard && two.discard->isVisible());
+  two.discard->click();
+  EXPECT_TRUE(waitFor([&] { return two.window.flow().waiting() == 0; })) << two.window.question();
+  EXPECT_EQ(two.window.session().positions[0].readings.size(), 5U) << "the other is taken in";
+}
+
+TEST(WaitingReadings, AreAskedAboutAgainAfterSaving) {
+  TwoWaiting two;
+  changeField(two.window.open->document(), {.field = "title"}, "unsaved");
+  EXPECT_TRUE(waitFor([&] { return !two.window.question().empty(); }));
+  two.dialogs().saveAnswers = {Dialogs::SaveAnswer::Save};
+  EXPECT_FALSE(two.files().startNew());
+  EXPECT_FALSE(two.window.open->document().isModified()) << "saved";
+  EXPECT_EQ(two.dialogs().saveQuestions, 2);
+  EXPECT_EQ(two.window.flow().waiting(), 2U) << "saving takes nothing in";
+}
+
+TEST(WaitingReadings, AreGivenToNoOtherSession) {
+  TwoWaiting two;
+  two.dialogs().saveAnswer = Dialogs::SaveAnswer::Discard;
+  ASSERT_TRUE(two.files().startNew());
+  two.window.open.waitUntilIdle();
+  EXPECT_EQ(two.window.flow().waiting(), 0U);
+  EXPECT_FALSE(two.discard->isVisible());
+  EXPECT_FALSE(two.window.open->document().isModified());
+  EXPECT_EQ(two.window.session().positions[0].zero, PointingZero());
+}
+
+TEST(WaitingReadings, AreNotTakenIntoASessionThatUndoLeadsTo) {
+  const Session first = begunWithoutProtocol();
+  LandingWindow window(first);
+  SessionDocument& document = window.open->document();
+  document.pushAnother(new ReplaceSession(document, first, QStringLiteral("Import")));
+  window.open.waitUntilIdle();
+  window.putInFront(0);
+  EXPECT_THAT(window.add(readingOf(paperSession().positions[0].readings[2])), Not(IsEmpty()));
+  window.open->undo();
+  window.open.waitUntilIdle();
+  EXPECT_EQ(window.flow().waiting(), 0U);
+  EXPECT_EQ(window.session(), first);
 }
 
 TEST(ReadingQuestion, AnotherPositionIsAsked) {

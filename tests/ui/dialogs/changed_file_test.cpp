@@ -100,8 +100,10 @@ TEST(SafeAnswers, ReturnOverwritesNoFileWhereverTheKeyboardIs) {
 TEST(SafeAnswers, AKeyDiscardsNothing) {
   Dialogs dialogs;
   for (const Qt::Key key : answeringKeys) {
-    EXPECT_NE(answerTo([&] { return dialogs.askSaveChanges(QStringLiteral("s")); }, key),
-              Dialogs::SaveAnswer::Discard);
+    for (const Dialogs::Unsaved& unsaved :
+         {Dialogs::Unsaved{.name = QStringLiteral("s")},
+          Dialogs::Unsaved{.name = QStringLiteral("s"), .isModified = false, .waiting = 2}})
+      EXPECT_NE(answerTo([&] { return dialogs.askLeave(unsaved); }, key), Dialogs::SaveAnswer::Discard);
     for (const auto way : {Dialogs::Way::Undo, Dialogs::Way::Redo})
       EXPECT_FALSE(answerTo([&] { return dialogs.askDiscardOther(QStringLiteral("s"), way); }, key));
     EXPECT_FALSE(
@@ -212,6 +214,45 @@ TEST_F(ChangedFileTest, IsNoticedBeforeAnybodySaves) {
   fresh.close();
   std::filesystem::rename(in("fresh").toStdString(), file.toStdString());
   EXPECT_TRUE(waitFor([&] { return bar->isVisible(); }));
+}
+
+TEST_F(ChangedFileTest, IsMissedAndWrittenAgain) {
+  OpenWindow window;
+  open(window, nullptr);
+  auto* bar = window->findChild<ChangedFileBar*>();
+  auto* save = bar->findChild<QPushButton*>(QStringLiteral("save missing file"));
+  ASSERT_TRUE(QFile::remove(file));
+  ASSERT_TRUE(waitFor([&] { return bar->isVisible(); }));
+  EXPECT_TRUE(window->document().isModified()) << "it is saved nowhere";
+  EXPECT_FALSE(bar->findChild<QPushButton*>(QStringLiteral("compare with file"))->isVisible());
+  ASSERT_TRUE(save && save->isVisible());
+  save->click();
+  EXPECT_EQ(readSession(bytes())->title, window->document().session().title);
+  EXPECT_FALSE(window->document().isModified());
+  EXPECT_TRUE(waitFor([&] { return !bar->isVisible(); }));
+}
+
+TEST_F(ChangedFileTest, IsAskedAboutOnLeavingOnceItIsGone) {
+  OpenWindow window;
+  open(window, nullptr);
+  ASSERT_TRUE(QFile::remove(file));
+  EXPECT_FALSE(window->close()) << "also before the watch has noticed";
+  EXPECT_EQ(window.dialogs->saveQuestions, 1);
+  window.dialogs->saveAnswer = Dialogs::SaveAnswer::Save;
+  EXPECT_TRUE(window->close());
+  EXPECT_TRUE(QFile::exists(file));
+}
+
+TEST_F(ChangedFileTest, IsNotMissedWhileAnotherProgramReplacesIt) {
+  OpenWindow window;
+  open(window, nullptr);
+  auto* bar = window->findChild<ChangedFileBar*>();
+  ASSERT_TRUE(QFile::rename(file, in("backup")));
+  QTest::qWait(400);  // the watch checks after 150 ms
+  ASSERT_TRUE(QFile::rename(in("backup"), file));
+  QTest::qWait(2000);
+  EXPECT_FALSE(bar->isVisible());
+  EXPECT_FALSE(window->document().isModified());
 }
 
 TEST_F(ChangedFileTest, IsNotTakenForAnothersWhileItIsSaved) {

@@ -10,9 +10,13 @@
 #include <QStatusBar>
 #include <QTemporaryDir>
 #include <QTest>
+#include <algorithm>
 
+#include "core/base/atomic_file.h"
 #include "core/base/file_bytes.h"
+#include "core/session/protocol_progress.h"
 #include "core/session/session_file.h"
+#include "core/simulation/protocol.h"
 #include "tests/ui/support.h"
 #include "ui/commands/change_session.h"
 #include "ui/commands/edit_readings.h"
@@ -125,6 +129,31 @@ TEST_F(SafekeepingTest, OffersWhatACrashLeftBehindBesideTheFile) {
   EXPECT_TRUE((*open)->files().save());
   EXPECT_EQ(sessionIn(file).title, "unsaved");
   EXPECT_TRUE(waitFor([&] { return records().isEmpty(); }));
+}
+
+/// What was in the file before the crash is recorded: its change enters the journal, as without the crash.
+TEST_F(SafekeepingTest, RecoveredEntriesAreRecordedAsInTheirFile) {
+  crash(file, "unsaved");
+  const auto open = openWindow();
+  open->dialogs->recoveries = {{Choice::Recover, 0}};
+  ASSERT_TRUE((*open)->offerRecovery());
+  const std::string distance = sessionIn(file).geometry.distanceMm;
+  changeField((*open)->document(), {.field = "geometry.distance_mm"}, "2410");
+  ASSERT_TRUE((*open)->files().save());
+  const std::vector<JournalEntry> journal = sessionIn(file).journal;
+  ASSERT_EQ(journal.size(), 1u);
+  EXPECT_EQ(journal[0].from, distance);
+  EXPECT_EQ(journal[0].to, "2410");
+}
+
+TEST_F(SafekeepingTest, AFormThatWasNeverSavedIsStillFilledInAfterACrash) {
+  crash({}, "first");
+  const auto open = openWindow();
+  open->dialogs->recoveries = {{Choice::Recover, 0}};
+  ASSERT_TRUE((*open)->offerRecovery());
+  for (const char* typed : {"2410", "2406"})
+    changeField((*open)->document(), {.field = "geometry.distance_mm"}, typed);
+  EXPECT_TRUE((*open)->document().session().journal.empty());
 }
 
 TEST_F(SafekeepingTest, OffersASessionThatIsInNoFile) {
@@ -341,6 +370,36 @@ INSTANTIATE_TEST_SUITE_P(
                       "gust",
                       [](const Session& session) { return session.positions[0].readings[2].note; }}),
     [](const auto& entry) { return std::string(entry.param.name); });
+
+/// The program chose point 12 by its worth; the recovered session has no chosen sighting yet.
+TEST_F(SafekeepingTest, AHalfTypedReadingStaysOfTheChosenPlace) {
+  Session session = sessionIn(file);
+  session.positions[0].readings.resize(4);
+  SightingProtocol protocol = *templateNamed("there-and-back");
+  protocol.isByWorth = true;
+  session.protocol = protocolText(protocol);
+  ASSERT_FALSE(writeFile(file.toStdString(), writeSession(session), {}));
+  {
+    const auto open = openWindow(file);
+    QApplication::setActiveWindow(open->window.get());
+    open->waitUntilIdle();
+    const auto progress = progressIn(session);
+    const auto chosen = std::ranges::find_if(progress->sightings, [](const FollowedSighting& one) {
+      return one.position == 0u && one.planned.point == 12 && one.planned.round == 1;
+    });
+    (*open)->reveal({.position = 0, .reading = 4, .field = "horizontal"});
+    (*open)->document().setChosenSighting(chosen - progress->sightings.begin());
+    QTest::keyClick(QApplication::focusWidget(), '3');
+    ASSERT_TRUE(waitFor([&] { return QDir(kept).entryList({QStringLiteral("*.typed")}).size() == 1; }));
+  }
+  const auto open = openWindow();
+  open->dialogs->recoveries = {{Choice::Recover, 0}};
+  ASSERT_TRUE((*open)->offerRecovery());
+  const auto& rows = (*open)->document().session().positions[0].readings;
+  ASSERT_EQ(rows.size(), 5u);
+  EXPECT_EQ(rows[4].horizontal, "3");
+  EXPECT_EQ(rows[4].point, "12");
+}
 
 /// A committed entry is part of the record itself; a cancelled one is in no record.
 TEST_F(SafekeepingTest, HalfTypedIsKeptOnlyAsLongAsItIs) {

@@ -69,5 +69,18 @@ TEST(SessionFiles, DoNotTellOfWhatTheUserHasGivenUp) {
   EXPECT_EQ(files.unsavedAhead(1, 2), QString()) << "the import is in no file";
 }
 
+TEST(SessionFiles, GiveEachSessionItsOwnNumber) {
+  SessionFiles files;
+  const int first = files.session(0);
+  files.dropFrom(0);
+  files.beginAnother(0);
+  const int second = files.session(1);
+  EXPECT_NE(first, second);
+  EXPECT_EQ(files.session(0), first) << "undo leads back to it";
+  files.restart({});
+  EXPECT_NE(files.session(0), first);
+  EXPECT_NE(files.session(0), second);
+}
+
 }  // namespace
 }  // namespace alidade::ui

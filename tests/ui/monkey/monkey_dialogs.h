@@ -13,7 +13,7 @@ class MonkeyDialogs : public ScriptedDialogs {
  public:
   MonkeyDialogs(Chance& chance, const QDir& folder) : m_chance(chance), m_folder(folder) {}
 
-  SaveAnswer askSaveChanges(const QString&) override {
+  SaveAnswer askLeave(const Unsaved&) override {
     return m_chance.of(
         std::array{SaveAnswer::Save, SaveAnswer::Discard, SaveAnswer::Discard, SaveAnswer::Cancel});
   }

@@ -9,12 +9,16 @@
 #include <QHeaderView>
 #include <QLabel>
 #include <QMenu>
+#include <QScreen>
 #include <QSettings>
 #include <QTableView>
+#include <algorithm>
 
 #include "tests/ui/support.h"
 #include "ui/charts/plotting/caption.h"
 #include "ui/main_window.h"
+#include "ui/panels/result/result_panel.h"
+#include "ui/window/entry_column.h"
 
 namespace alidade::ui {
 namespace {
@@ -66,6 +70,16 @@ TEST_F(WindowFontTest, IsResizedInTheMenu) {
   EXPECT_EQ(rememberedFont().points, 13);
   trigger("Smaller Font");
   EXPECT_EQ(rememberedFont(), (FontChoice{QStringLiteral("DejaVu Serif"), 12}));
+}
+
+TEST_F(WindowFontTest, LeavesTheWindowWithinItsScreen) {
+  OpenWindow open;
+  const int screen = open->screen()->availableGeometry().width();
+  applyFont({.points = largestPoints});
+  QCoreApplication::processEvents();
+  EXPECT_LE(open->minimumSizeHint().width(), std::max(960, screen));
+  EXPECT_LE(open->entries().widget()->minimumWidth(), std::max(440, screen * 45 / 100));
+  EXPECT_LE(open->findChild<ResultPanel*>()->minimumWidth(), std::max(360, screen * 33 / 100));
 }
 
 TEST_F(WindowFontTest, ChangesEveryPartOfAnOpenWindowAtOnce) {

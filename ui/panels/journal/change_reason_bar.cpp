@@ -41,6 +41,7 @@ ChangeReasonBar::ChangeReasonBar(SessionDocument& document, QWidget* parent)
   layout->addWidget(m_question, 1);
   layout->addWidget(m_reason, 1);
   hide();
+  connect(m_reason, &QLineEdit::textEdited, this, &ChangeReasonBar::noteTyped);
   connect(&document, &SessionDocument::recorded, this, &ChangeReasonBar::ask);
   connect(&document, &SessionDocument::changed, this, [this](const SessionChange& change) {
     const bool isAnother = change.kind == SessionChange::Kind::Everything;
@@ -61,6 +62,13 @@ void ChangeReasonBar::ask(std::size_t first) {
   emit askingChanged(true);
 }
 
+void ChangeReasonBar::noteTyped() {
+  const std::string reason = m_reason->text().trimmed().toStdString();
+  m_document.halfTyped().set(
+      m_reason, {.place = {.reading = m_first, .field = "journal"}, .text = reason, .count = m_count},
+      !reason.empty());
+}
+
 void ChangeReasonBar::start() {
   if (isHidden()) return;
   m_back = QApplication::focusWidget();
@@ -78,6 +86,7 @@ void ChangeReasonBar::finish() {
 void ChangeReasonBar::end() {
   if (m_count == 0) return;
   m_count = 0;
+  m_document.halfTyped().clear(m_reason);
   if (m_back && m_reason->hasFocus()) m_back->setFocus(Qt::OtherFocusReason);
   m_reason->clear();
   hide();

@@ -35,6 +35,7 @@ class ChangeReasonBar : public QFrame {
 
  private:
   void ask(std::size_t first);
+  void noteTyped();
   void end();
 
   SessionDocument& m_document;

@@ -65,11 +65,14 @@ DataTable::DataTable(std::vector<DataColumn> columns, QWidget* parent)
   verticalHeader()->setSectionResizeMode(QHeaderView::Fixed);
   horizontalHeader()->setHighlightSections(false);
   horizontalHeader()->setMinimumSectionSize(36);
+  horizontalHeader()->setDefaultAlignment(Qt::Alignment(Qt::AlignCenter | Qt::TextWordWrap));
   layOutByFont(*this, [this] { fitCells(); });
   connect(this, &QTableView::clicked, this,
           [this](const QModelIndex& index) { emit rowActivated(index.row()); });
   connect(horizontalHeader(), &QHeaderView::sectionResized, this, [this] {
-    if (!m_isFitting) m_isFitted = false;
+    if (m_isFitting) return;
+    m_isFitted = false;
+    wrapTitles();
   });
 }
 
@@ -93,11 +96,13 @@ void DataTable::resizeEvent(QResizeEvent* event) {
   if (event->size().width() != event->oldSize().width()) fitAgain();
 }
 
-/// The width of the first cells of a column, or 60 % of the width of its title if that is larger.
+/// The width of the first cells of a column, or that of the longest word of its title if that is larger.
 int DataTable::shownWidth(int column) const {
   constexpr int mostRows = 200;
   const DataColumn& shown = m_model.columns()[static_cast<std::size_t>(column)];
-  int width = fontMetrics().horizontalAdvance(shown.title) * 6 / 10;
+  int width = 0;
+  for (const QString& word : shown.title.split(u' '))
+    width = std::max(width, fontMetrics().horizontalAdvance(word));
   for (int row = 0; row < std::min(mostRows, m_model.rowCount()); ++row)
     width = std::max(width, fontMetrics().horizontalAdvance(shown.text(row)));
   return width;
@@ -117,6 +122,21 @@ void DataTable::fitCells() {
   }
   for (const std::vector<int>& wanted : {titles, shown, samples}) widen(widths, wanted);
   for (int i = 0; i < m_model.columnCount(); ++i) setColumnWidth(i, widths[static_cast<std::size_t>(i)]);
+  wrapTitles();
+}
+
+/// Makes the header as high as the titles that are wrapped in their columns.
+void DataTable::wrapTitles() {
+  constexpr int margins = 8;
+  int height = 0;
+  for (int i = 0; i < m_model.columnCount(); ++i) {
+    const QRect room(0, 0, columnWidth(i) - margins, QWIDGETSIZE_MAX);
+    const QString& title = m_model.columns()[static_cast<std::size_t>(i)].title;
+    height = std::max(height, fontMetrics().boundingRect(room, Qt::TextWordWrap, title).height());
+  }
+  if (horizontalHeader()->minimumHeight() == height + margins) return;
+  horizontalHeader()->setMinimumHeight(height + margins);
+  updateGeometries();
 }
 
 /// Distributes the free width among the columns that are narrower than wanted, from the first on.

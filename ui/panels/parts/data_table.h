@@ -61,10 +61,12 @@ class DataTable : public QTableView {
 
  private:
   int shownWidth(int column) const;
-  /// Sets the width of each column to that of its cells, at most to that of its sample. Free width then
+  /// Sets the width of each column to that of its cells, at most to that of its sample, and at least to that
+  /// of the longest word of its title: titles are wrapped. Free width then
   /// widens columns up to their titles, next their cells, last their samples. Called again after a change of
   /// font or width, until the user sets a width.
   void fitCells();
+  void wrapTitles();
   void widen(std::vector<int>& widths, const std::vector<int>& wanted) const;
   void fitAgain();
 

@@ -113,6 +113,7 @@ QWidget* PositionTabs::createPage(std::size_t position) {
   auto* zero = new ZeroEntries(m_document, position);
   zero->showFurther(m_showsZeros);
   connect(zero, &ZeroEntries::furtherWanted, this, &PositionTabs::showFurtherZeros);
+  connect(zero, &ZeroEntries::entered, this, &PositionTabs::zeroEntered);
   m_zeros.push_back(zero);
   layout->addWidget(zero);
   layout->addWidget(table, 1);

@@ -41,6 +41,7 @@ class PositionTabs : public QTabWidget {
   /// A circle reading of the next expected row was typed; as `EntryWatch::entered`.
   void entered(std::size_t position, std::size_t row, alidade::ui::ReadingColumn column,
                const QString& doubt);
+  void zeroEntered();  ///< as `ZeroEntries::entered`
 
  private:
   void clearPositions();

@@ -45,12 +45,26 @@ ReadingsTable::ReadingsTable(SessionDocument& document, std::size_t position, QW
   connect(
       &m_model, &ReadingsModel::excludedByClick, this, [this](std::size_t row) { askReason({row}); },
       Qt::QueuedConnection);
+  reportReason(document.halfTyped());
   connect(m_reason, &ReasonLine::given, this,
           [this](const std::vector<std::size_t>& rows, const QString& reason) {
             m_editor.addReason(rows, reason.toStdString());
           });
   layOutColumns();
   showUsedColumns();
+}
+
+/// Reports a reason being typed as the notes that it would make.
+void ReadingsTable::reportReason(HalfTyped& halfTyped) {
+  connect(m_reason, &QLineEdit::textEdited, this, [this, &halfTyped](const QString& text) {
+    const std::string reason = text.trimmed().toStdString();
+    std::vector<HalfTypedText> notes;
+    for (const std::size_t row : m_reason->rows())
+      notes.push_back({.place = {.position = m_model.position(), .reading = row, .field = "note"},
+                       .text = m_editor.noteWith(row, reason)});
+    halfTyped.set(m_reason, std::move(notes), !reason.empty());
+  });
+  connect(m_reason, &ReasonLine::closed, &halfTyped, [this, &halfTyped] { halfTyped.clear(m_reason); });
 }
 
 void ReadingsTable::askReason(const std::vector<std::size_t>& rows) {
@@ -63,9 +77,13 @@ void ReadingsTable::commitReason() {
 
 HalfTypedText ReadingsTable::halfTyped(const QLineEdit& editor, const QModelIndex& cell) const {
   const RowField* field = infoOf(columnOf(cell)).field;
+  const Reading added = cell.row() < m_model.readingCount() ? Reading() : m_model.added();
   return {.place = {.position = m_model.position(),
                     .reading = static_cast<std::size_t>(cell.row()),
                     .field = std::string(field->key)},
+          .point = added.point,
+          .round = added.round,
+          .face = added.face,
           .text = editor.text().trimmed().toStdString()};
 }
 

@@ -60,6 +60,7 @@ class ReadingsTable : public EntryTable {
   void showColumnsUsedBy(const SessionChange& change);
   void fitAngles();
   QModelIndex nextEntryCell() const;
+  void reportReason(HalfTyped& halfTyped);
   HalfTypedText halfTyped(const QLineEdit& editor, const QModelIndex& cell) const;
 
   ReadingsModel m_model;

@@ -46,6 +46,7 @@ void ReasonLine::finish() {
   if (hasFocus()) m_table.setFocus();  // hiding first would move the focus like Tab
   clear();
   hide();
+  emit closed();
   if (!reason.isEmpty()) emit given(rows, reason);
 }
 

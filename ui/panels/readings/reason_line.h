@@ -20,8 +20,10 @@ class ReasonLine : public QLineEdit {
   void ask(const std::vector<std::size_t>& rows);
   /// Closes the line. Emits `given` with the text typed so far, unless the text is empty.
   void finish();
+  const std::vector<std::size_t>& rows() const { return m_rows; }  ///< asked about; empty while it is closed
 
  signals:
+  void closed();  ///< emitted before `given`
   void given(const std::vector<std::size_t>& rows, const QString& reason);
 
  protected:

@@ -40,6 +40,7 @@ ZeroEntries::ZeroEntries(SessionDocument& document, std::size_t position, QWidge
                tr("Vertical circle reading of the direction perpendicular to the plane of the arc, in face 1 "
                   "before the readings of this position"));
   vertical->setPlaceholderText(required);
+  reportEnteredBy(vertical);
   addCaption(0, VerticalCaption, tr("&β0"), vertical);
   auto* axis = addEntry(0, Axis, "axis_deg", tr("Position of the axis in degrees"),
                         tr("Rotation of the axis: 0 or 180 degrees"), FieldEdit::Shows::AsTyped);
@@ -78,6 +79,12 @@ FieldEdit* ZeroEntries::addEntry(int row, int column, const std::string& field, 
   return entry;
 }
 
+void ZeroEntries::reportEnteredBy(FieldEdit* vertical) {
+  connect(vertical, &QLineEdit::returnPressed, this, [this, vertical] {
+    if (!vertical->text().isEmpty()) emit entered();
+  });
+}
+
 QLabel* ZeroEntries::addCaption(int row, int column, const QString& caption, QWidget* buddy) {
   auto* label = new QLabel(caption);
   label->setBuddy(buddy);
@@ -92,6 +99,7 @@ void ZeroEntries::addFurther(int row, const std::string& key, const QString& cap
                tr("Horizontal circle reading of the pointing zero %1").arg(when));
   auto* vertical = addEntry(row, Vertical, field + ".vertical", tr("Pointing zero, vertical, %1").arg(when),
                             tr("Vertical circle reading of the pointing zero %1").arg(when));
+  reportEnteredBy(vertical);
   m_further.insert(m_further.end(),
                    {addCaption(row, HorizontalCaption, caption, horizontal), horizontal, vertical});
 }

@@ -27,10 +27,12 @@ class ZeroEntries : public QWidget {
 
  signals:
   void furtherWanted(bool shown);
+  void entered();  ///< Enter ended the vertical reading of a sighting, its last one
 
  private:
   FieldEdit* addEntry(int row, int column, const std::string& field, const QString& accessible,
                       const QString& hint, FieldEdit::Shows shows = FieldEdit::Shows::Angle);
+  void reportEnteredBy(FieldEdit* vertical);
   QLabel* addCaption(int row, int column, const QString& caption, QWidget* buddy);
   void addFurther(int row, const std::string& key, const QString& caption, const QString& when);
 

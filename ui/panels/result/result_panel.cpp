@@ -153,7 +153,8 @@ void ResultPanel::fixWidth() {
   const int bar = verticalScrollBar()->sizeHint().width();
   const int value =
       QFontMetrics(m_value->font()).horizontalAdvance(QStringLiteral("Δd = −2.167 ± 0.042 mm")) + 4;
-  setMinimumWidth(std::max(value, figures) + margins.left() + margins.right() + bar + 2 * frameWidth());
+  const int whole = std::max(value, figures) + margins.left() + margins.right() + bar + 2 * frameWidth();
+  setMinimumWidth(withinScreen(*this, whole, 372, 33));
 }
 
 void ResultPanel::showDetails(const Headline& headline) {

@@ -11,6 +11,7 @@
 #include "tests/ui/support.h"
 #include "ui/commands/change_session.h"
 #include "ui/commands/edit_readings.h"
+#include "ui/commands/hand_in.h"
 #include "ui/commands/session_commands.h"
 #include "ui/document/session_document.h"
 #include "ui/main_window.h"
@@ -107,6 +108,30 @@ TEST_F(ChangeReasonBarTest, AsksOfEveryFieldOnceTheSessionIsSealed) {
   changeField(open->document(), {.field = "title"}, "after");
   EXPECT_FALSE(bar->isHidden());
   EXPECT_THAT(open->windowTitle().toStdString(), HasSubstr("(changed since the seal)"));
+}
+
+/// A crash keeps what `HalfTyped` holds.
+TEST_F(ChangeReasonBarTest, WhatIsTypedIsHalfTypedUntilItIsStated) {
+  HalfTyped& halfTyped = open->document().halfTyped();
+  ReadingsEditor(open->document(), 0).remove({2, 3});
+  bar->start();
+  QTest::keyClicks(line, QStringLiteral("cloud"));
+  const Session before = open->document().session();
+  const Session kept = withHandedIn(before, halfTyped.texts());
+  QTest::keyClick(line, Qt::Key_Return);
+  ASSERT_EQ(kept.journal.size(), before.journal.size() + 1);
+  EXPECT_EQ(kept.journal.back().from, open->document().session().journal.back().from);
+  EXPECT_EQ(kept.journal.back().to, "cloud");
+  EXPECT_TRUE(halfTyped.isEmpty());
+}
+
+TEST_F(ChangeReasonBarTest, ANotStatedReasonIsHalfTypedNoMore) {
+  correct(4, "338 36 37");
+  bar->start();
+  QTest::keyClicks(line, QStringLiteral("half"));
+  EXPECT_FALSE(open->document().halfTyped().isEmpty());
+  QTest::keyClick(line, Qt::Key_Escape);
+  EXPECT_TRUE(open->document().halfTyped().isEmpty());
 }
 
 TEST_F(ChangeReasonBarTest, OneReasonIsOfAllThatWasChangedTogether) {

@@ -134,6 +134,29 @@ TEST(OrderPanel, LeadsTheKeyboardThroughAWholeProtocol) {
   EXPECT_THAT(bench.text("order outlook"), HasSubstr("Further rounds do not reduce"));
 }
 
+/// Enter alone: the further zeros that are shown do not catch it.
+TEST(OrderPanel, EnterLeadsFromAZeroToTheNextSighting) {
+  const Session whole = *simulate(shortPlan(), Truth(), 4);
+  SightingProtocol protocol = templateOf(shortPlan());
+  for (ProtocolPosition& position : protocol.positions) position.zeros.before = {1, 2};
+  OrderBench bench;
+  bench.open->document().startWith(unread(whole));
+  followProtocol(bench.open->document(), protocol);
+  bench.waitUntilIdle();
+  const auto typeZero = [&](const char* field) {
+    const QString name = QStringLiteral("pointing_zero%1.%2 0").arg(QLatin1String(field));
+    EXPECT_EQ(QApplication::focusWidget()->objectName(), name.arg(QLatin1String("horizontal")));
+    typeInto(*QApplication::focusWidget(), QStringLiteral("12 0 0"));
+    EXPECT_EQ(QApplication::focusWidget()->objectName(), name.arg(QLatin1String("vertical")));
+    typeInto(*QApplication::focusWidget(), QStringLiteral("90 0 0"));
+    QCoreApplication::processEvents();
+  };
+  bench.open->entry().goToNextEntry();
+  typeZero("");
+  typeZero(".face_2");
+  EXPECT_EQ(QApplication::focusWidget()->objectName(), QStringLiteral("readings0"));
+}
+
 TEST(OrderPanel, SaysWhatIsNextAndHowFarItIs) {
   OrderBench bench;
   bench.open->document().startWith(paperSession());

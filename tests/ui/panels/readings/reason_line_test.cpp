@@ -8,6 +8,7 @@
 #include "core/statement/journal.h"
 #include "tests/ui/support.h"
 #include "ui/commands/edit_readings.h"
+#include "ui/commands/hand_in.h"
 #include "ui/document/session_document.h"
 #include "ui/main_window.h"
 #include "ui/panels/readings/position_tabs.h"
@@ -90,6 +91,21 @@ TEST_F(ReasonLineTest, AReasonIsAddedToANoteAndToEachRow) {
   open->commitPending();
   EXPECT_EQ(row(5).note, "hazy; cloud");
   EXPECT_EQ(row(6).note, "cloud");
+}
+
+/// A crash keeps what `HalfTyped` holds.
+TEST_F(ReasonLineTest, WhatIsTypedIsHalfTypedUntilItIsGiven) {
+  HalfTyped& halfTyped = open->document().halfTyped();
+  ReadingsEditor(open->document(), 0).setCell({4, ReadingColumn::Note}, "hazy");
+  exclude(4);
+  EXPECT_TRUE(halfTyped.isEmpty());
+  QTest::keyClicks(line, QStringLiteral("cloud"));
+  const Session kept = withHandedIn(open->document().session(), halfTyped.texts());
+  EXPECT_EQ(row(4).note, "hazy");
+  QTest::keyClick(line, Qt::Key_Return);
+  EXPECT_EQ(kept.positions[0].readings[4].note, "hazy; cloud");
+  EXPECT_EQ(row(4).note, "hazy; cloud");
+  EXPECT_TRUE(halfTyped.isEmpty());
 }
 
 TEST_F(ReasonLineTest, JournalPrintsTheReason) {
