@@ -130,6 +130,10 @@ class Assembly {
       fill(session.instrument.name, recording.instrumentName);
       fill(session.instrument.serial, recording.instrumentSerial);
       fill(session.measuredOn, recording.measuredOn);
+      const std::string &serial = recording.instrumentSerial, &kept = session.instrument.serial;
+      if (!serial.empty() && serial != kept)
+        remark(Phrase::of("a file is of the instrument with the serial number %1; the session keeps %2",
+                          quotation(serial), quotation(kept)));
       const std::string& named = recording.verticalCircle;
       if (named.empty()) continue;
       std::string& stated = session.geometry.verticalCircle;

@@ -92,6 +92,15 @@ std::string accessibleUnit(AngleUnit unit) {
   return unit == AngleUnit::Degrees ? Phrase::of("decimal degrees") : Phrase::of("degrees.minutes seconds");
 }
 
+/// Whether two files state the same circle readings in the same order: one is a copy.
+bool haveSameReadings(const Recording& one, const Recording& other) {
+  return std::ranges::equal(one.sightings, other.sightings,
+                            [](const RecordedSighting& a, const RecordedSighting& b) {
+                              return a.row.point == b.row.point && a.row.face == b.row.face &&
+                                     a.row.horizontal == b.row.horizontal && a.row.vertical == b.row.vertical;
+                            });
+}
+
 /// Combines the sightings of all files.
 class CheckFiles {
  public:
@@ -110,6 +119,12 @@ class CheckFiles {
       if (!recording.problems.empty()) return problemOf(std::move(recording.problems));
       if (recording.sightings.empty())
         return named(Problem{Phrase::of("holds no readings of a circle: choose another file")});
+      if (const auto same = std::ranges::find_if(
+              recordings, [&](const Recording& other) { return haveSameReadings(other, recording); });
+          same != recordings.end())
+        return named(Problem{
+            Phrase::of("has the readings of %1 once more: leave one of the two out",
+                       quotation(m_files[static_cast<std::size_t>(same - recordings.begin())].name))});
       rows += recording.sightings.size();
       if (rows > limits::mostRows) return named(limits::tooManyRows());
       recordings.push_back(std::move(recording));
@@ -258,15 +273,31 @@ class CheckFiles {
     }
   }
 
-  std::optional<Problem> take(const Recording& recording) {
-    for (const std::string& sentence : recording.unused) remark(sentence);
-    if (!recording.circleRemark.empty() && m_options.verticalCircle.empty()) remark(recording.circleRemark);
+  /// Takes what the first file states; the files of one check are of one instrument.
+  std::optional<Problem> takeHeadings(const Recording& recording) {
+    CheckIdentity& identity = m_result.identity;
+    const std::string& serial = recording.instrumentSerial;
+    if (!serial.empty() && !identity.serial.empty() && serial != identity.serial)
+      return named(
+          Problem{Phrase::of("is of the instrument with the serial number %1, an earlier file of that with "
+                             "%2: check each instrument by itself",
+                             quotation(serial), quotation(identity.serial))});
     const auto fill = [](std::string& text, const std::string& value) {
       if (text.empty()) text = value;
     };
-    fill(m_result.identity.name, recording.instrumentName);
-    fill(m_result.identity.serial, recording.instrumentSerial);
-    fill(m_result.identity.measuredOn, recording.measuredOn);
+    fill(identity.name, recording.instrumentName);
+    fill(identity.serial, serial);
+    fill(identity.measuredOn, recording.measuredOn);
+    if (!recording.measuredOn.empty() && recording.measuredOn != identity.measuredOn)
+      remark(Phrase::of("measured on %1; the check takes the day of an earlier file, %2",
+                        recording.measuredOn, identity.measuredOn));
+    return std::nullopt;
+  }
+
+  std::optional<Problem> take(const Recording& recording) {
+    for (const std::string& sentence : recording.unused) remark(sentence);
+    if (!recording.circleRemark.empty() && m_options.verticalCircle.empty()) remark(recording.circleRemark);
+    if (auto problem = takeHeadings(recording)) return problem;
     const bool countsFromZero = std::ranges::any_of(
         recording.sightings, [](const auto& sighting) { return sighting.row.face == "0"; });
     std::vector<LineProblem> problems;

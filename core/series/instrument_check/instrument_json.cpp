@@ -136,6 +136,10 @@ std::string instrumentJson(const CheckIdentity& identity, const InstrumentCheck&
   Json stations = Json::array();
   for (const StationCheck& station : check.stations) stations.push_back(stationJson(station));
   Json pooled = scatterJson(check.direction, check.vertical, check.collimation, check.index);
+  pooled["trunnion_tilt"] = check.tilt ? Json{{"tilt_arcsec", finite(check.tilt->value)},
+                                              {"u_tilt_arcsec", finite(check.tilt->u)},
+                                              {"dof", whole(check.tilt->degreesOfFreedom)}}
+                                       : Json(nullptr);
   pooled["line_of_sight"] = causesJson(check.lineOfSight, "eccentricity", "mm");
   pooled["collimations_differ_p_value"] = finite(check.collimationsDifferP);
   pooled["indices_differ_p_value"] = finite(check.indicesDifferP);

@@ -3,6 +3,7 @@
 #include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
+#include <functional>
 
 #include "core/base/square.h"
 #include "core/base/statistics.h"
@@ -74,31 +75,47 @@ StationNumbers numbersOf(const PairMean& mean) {
           square(mean.scatter), mean.degreesOfFreedom};
 }
 
-Pooled pooledOf(const std::vector<StationCheck>& stations, PairMean StationCheck::*of) {
+Pooled pooledOf(const std::vector<const StationCheck*>& stations, PairMean StationCheck::*of) {
   std::vector<StationNumbers> numbers;
-  for (const StationCheck& station : stations)
-    if (station.pairs() > 0 && (station.*of).cofactor > 0) numbers.push_back(numbersOf(station.*of));
+  for (const StationCheck* const station : stations)
+    if (station->pairs() > 0 && (station->*of).cofactor > 0) numbers.push_back(numbersOf(station->*of));
   const auto all = putTogether(numbers);
   if (!all) return {{notKnown, notKnown, notKnown, 0}, notKnown};
   return {all->mean(0), all->differP};
 }
 
+/// The stations among `all` that state the cause; all of them if none does.
+std::vector<const StationCheck*> withCause(std::vector<const StationCheck*> all,
+                                           std::optional<TwoCauses> FaceCauses::*cause) {
+  const auto states = [&](const StationCheck* station) { return (station->causes.*cause).has_value(); };
+  if (std::ranges::any_of(all, states)) std::erase_if(all, std::not_fn(states));
+  return all;
+}
+
+std::vector<const StationCheck*> each(const std::vector<StationCheck>& stations) {
+  std::vector<const StationCheck*> all;
+  for (const StationCheck& station : stations) all.push_back(&station);
+  return all;
+}
+
 }  // namespace
 
 Pooled pooledIndex(const std::vector<StationCheck>& stations) {
-  return pooledOf(stations, &StationCheck::index);
+  return pooledOf(each(stations), &StationCheck::index);
 }
 
 PooledSight pooledSight(const std::vector<StationCheck>& stations) {
+  const auto counting = withCause(withCause(each(stations), &FaceCauses::lineOfSight), &FaceCauses::tilt);
   std::vector<StationNumbers> numbers;
-  for (const StationCheck& station : stations) {
-    if (!station.causes.lineOfSight) continue;
-    const TwoCauses& sight = *station.causes.lineOfSight;
-    numbers.push_back({Eigen::Vector2d(station.collimation.value, sight.other), cofactorsOf(sight),
-                       square(station.collimation.scatter), station.collimation.degreesOfFreedom});
+  for (const StationCheck* const station : counting) {
+    if (!station->causes.lineOfSight) continue;
+    const TwoCauses& sight = *station->causes.lineOfSight;
+    const PairMean& collimation = station->collimation;
+    numbers.push_back({Eigen::Vector2d(collimation.value, sight.other), cofactorsOf(sight),
+                       square(collimation.scatter), collimation.degreesOfFreedom});
   }
   const auto all = putTogether(numbers);
-  if (!all) return {pooledOf(stations, &StationCheck::collimation), std::nullopt};
+  if (!all) return {pooledOf(counting, &StationCheck::collimation), std::nullopt};
   const Eigen::MatrixXd& q = all->cofactors;
   TwoCauses sight{.collimation = all->values(0),
                   .uCollimation = all->u(0),

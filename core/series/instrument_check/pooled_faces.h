@@ -22,8 +22,9 @@ struct PooledSight {
 
 Pooled pooledIndex(const std::vector<StationCheck>& stations);
 
-/// If stations state an offset of the line of sight, pools only these stations: the collimation of the others
-/// includes e_s/D of their targets.
+/// Pools only the stations that state every cause which any of them states: the collimation of the others
+/// includes e_s/D and i sin e of their targets. If none states both, those with an offset of the line of
+/// sight.
 PooledSight pooledSight(const std::vector<StationCheck>& stations);
 
 /// The mean weighted by 1/u²; u grows if stations differ by more than their u. Absent without a stated tilt.

@@ -56,10 +56,33 @@ TEST(CheckFiles, ReadGsiWithStationsByCodeAndByCoordinates) {
 
 TEST(CheckFiles, TakeSeveralFilesForSeveralStations) {
   const std::string table = "target,hz,v\nA,10°00'00\",80°00'00\"\nA,190°00'00\",280°00'00\"\n";
-  const auto readings = readCheckFiles({{"/data/first.csv", table}, {"second.csv", table}});
+  std::string other = table;
+  other.replace(other.find("10°"), 2, "70");
+  other.replace(other.find("190°"), 3, "250");
+  const auto readings = readCheckFiles({{"/data/first.csv", table}, {"second.csv", other}});
   ASSERT_TRUE(readings) << readings.problem().text();
   EXPECT_THAT(readings->stations, ElementsAre("first", "second"));
   EXPECT_EQ(completeRounds(*readings).size(), 2U);
+  // The same readings twice would count as twice as many.
+  const auto copies = readCheckFiles({{"first.csv", table}, {"copy.csv", table}});
+  ASSERT_FALSE(copies);
+  EXPECT_THAT(copies.problem().text(), HasSubstr("has the readings of “first.csv” once more"));
+}
+
+TEST(CheckFiles, AreOfOneInstrument) {
+  const auto file = [](const char* serial, const char* day, const char* angle) {
+    return std::string("12....+0000") + serial + " 17....+0" + day + "2026\n110001+0000000A 21.324+" + angle +
+           "0000 22.324+09000000\n110002+0000000A 21.324+" + std::to_string(std::stoi(angle) + 180) +
+           "0000 22.324+27000000\n";
+  };
+  const std::string first = file("1111", "103", "1000"), later = file("1111", "104", "1001"),
+                    other = file("2222", "103", "1002");
+  const auto refused = readCheckFiles({{"a.gsi", first}, {"b.gsi", other}});
+  ASSERT_FALSE(refused);
+  EXPECT_THAT(refused.problem().text(), HasSubstr("check each instrument by itself"));
+  const auto both = readCheckFiles({{"a.gsi", first}, {"b.gsi", later}});
+  ASSERT_TRUE(both) << both.problem().text();
+  EXPECT_THAT(both->remarks, testing::Contains(HasSubstr("the check takes the day of an earlier file")));
 }
 
 TEST(CheckFiles, FindTheUnitByWhatBothFacesAddUpTo) {

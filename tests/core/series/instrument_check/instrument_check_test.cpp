@@ -46,6 +46,27 @@ TEST(InstrumentCheck, PoolsByDegreesOfFreedom) {
   EXPECT_NEAR(check.index.value, (12 * p.index.value + 28 * q.index.value) / 40, 1e-12);
 }
 
+// A station whose targets are all at one elevation takes the trunnion tilt for collimation: i tan 30° = 35″.
+// The stations that state the tilt give the collimation, within 4 u.
+TEST(InstrumentCheck, PoolsTheCollimationOfStationsThatStateTheTilt) {
+  const SimulatedInstrument tilted{.collimation = 5, .tilt = 60, .noise = 1};
+  const std::vector<Target> level{{10, 30, 40}, {95, 30.1, 25}, {200, 30, 60}, {290, 29.9, 33}};
+  const std::vector<Target> spread{{10, 30, 40}, {95, -14, 25}, {200, 12, 60}, {290, 1, 33}};
+  const auto station = [&](const char* name, const std::vector<Target>& targets, std::uint64_t seed) {
+    StationRounds made = completeRounds(simulatedRounds(tilted, targets, 5, seed)).front();
+    made.station = name;
+    return made;
+  };
+  for (const std::uint64_t seed : {1U, 2U, 3U}) {
+    const InstrumentCheck check =
+        checkInstrument({station("level", level, seed), station("spread", spread, seed + 10)});
+    ASSERT_TRUE(check.tilt);
+    EXPECT_NEAR(check.collimation.value, 5, 4 * check.collimation.u);
+    EXPECT_LT(check.collimation.u, 1);
+    EXPECT_NEAR(check.tilt->value, 60, 4 * check.tilt->u);
+  }
+}
+
 TEST(InstrumentCheck, TestsAgainstAStatedSigma) {
   // χ²₀.₉₅(24) = 36.415 (any table): s up to σ √(36.415/24) = 1.2318 σ.
   const std::vector<StationRounds> rounds{station("P", {.noise = 1}, 9, 4)};
