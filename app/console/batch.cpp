@@ -1,8 +1,5 @@
 #include "app/console/batch.h"
 
-#include <unistd.h>
-
-#include <chrono>
 #include <condition_variable>
 #include <initializer_list>
 #include <mutex>
@@ -19,8 +16,6 @@
 namespace alidade::console {
 
 namespace {
-
-using Clock = std::chrono::steady_clock;
 
 struct Answered {
   std::string text;
@@ -57,31 +52,11 @@ std::string asRows(const std::string& file, const std::string& table, bool isFir
   return rows;
 }
 
-/// Prints progress to stderr from time to time during long work.
-class Progress {
- public:
-  Progress(std::size_t count, bool wanted) : m_count(count), m_shown(wanted || isatty(STDERR_FILENO) != 0) {}
-
-  void report(std::size_t done, std::size_t unusable, bool atOnce = false) {
-    constexpr auto pause = std::chrono::seconds(1);
-    if (!m_shown || (!atOnce && Clock::now() - m_lastReport < pause)) return;
-    m_lastReport = Clock::now();
-    std::string line = std::to_string(done) + " of " + std::to_string(m_count) + " files done";
-    if (unusable > 0) line += ", " + std::to_string(unusable) + " of them without a result";
-    notify("alidade-cli", line);
-  }
-
- private:
-  std::size_t m_count;
-  bool m_shown;
-  Clock::time_point m_lastReport = Clock::now();
-};
-
 /// Receives results in any order and writes them in input order.
 class OrderedOutput {
  public:
   OrderedOutput(const std::vector<ListedFile>& files, const BatchOptions& options)
-      : m_files(files), m_options(options), m_waiting(kept), m_progress(files.size(), options.progress) {}
+      : m_files(files), m_options(options), m_waiting(kept), m_progress(options.progress) {}
 
   /// Waits while `index` is at least `kept` ahead of the output. False if writing is no longer possible.
   bool awaitTurn(std::size_t index) {
@@ -98,12 +73,12 @@ class OrderedOutput {
       next->reset();
       ++m_written;
     }
-    m_progress.report(m_written, m_unusable);
+    if (m_progress.isDue()) report();
     m_moved.notify_all();
   }
 
   int finish() {
-    if (!m_broken) m_progress.report(m_written, m_unusable, true);
+    if (!m_broken && m_progress.isShown()) report();
     return m_broken || m_failed ? Failed : m_unusable > 0 ? BadInput : Done;
   }
 
@@ -116,9 +91,15 @@ class OrderedOutput {
   std::mutex m_guard;
   std::condition_variable m_moved;
   std::vector<std::optional<Answered>> m_waiting;
-  Progress m_progress;
+  ProgressLines m_progress;
   std::size_t m_written = 0, m_unusable = 0;
   bool m_broken = false, m_failed = false, m_hasText = false;
+
+  void report() const {
+    std::string line = std::to_string(m_written) + " of " + std::to_string(m_files.size()) + " files done";
+    if (m_unusable > 0) line += ", " + std::to_string(m_unusable) + " of them without a result";
+    notify("alidade-cli", line);
+  }
 
   void write(const std::string& file, const Answered& answered) {
     if (answered.reason) {

@@ -14,7 +14,8 @@ struct BatchOptions {
   std::size_t threads = 0;  ///< 0: one per processor core; the results are the same for any number
   bool progress = false;    ///< prints progress on stderr even without a terminal
   bool json = false;
-  bool lines = false;  ///< the results are one line each, with no empty line between
+  bool jsonLines = false;  ///< `json`, one line each for a single file, too
+  bool lines = false;      ///< the results are one line each, with no empty line between
   bool table = false;  ///< the results are tables (CSV) of the same columns, whose cells hold no line ends
 };
 

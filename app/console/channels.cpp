@@ -1,5 +1,7 @@
 #include "app/console/channels.h"
 
+#include <unistd.h>
+
 #include <algorithm>
 #include <cerrno>
 #include <cstdio>
@@ -31,6 +33,15 @@ int writeResult(std::string_view result) {
 void notify(std::string_view subject, std::string_view message) {
   const std::string line = visibleText(subject) + ": " + visibleText(message) + "\n";
   std::fwrite(line.data(), 1, line.size(), stderr);
+}
+
+ProgressLines::ProgressLines(bool wanted) : m_shown(wanted || isatty(STDERR_FILENO) != 0) {}
+
+bool ProgressLines::isDue() {
+  const auto now = std::chrono::steady_clock::now();
+  if (!m_shown || now - m_last < std::chrono::seconds(1)) return false;
+  m_last = now;
+  return true;
 }
 
 int refuse(std::string_view subject, std::string_view reason) {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <chrono>
 #include <string>
 #include <string_view>
 
@@ -15,6 +16,20 @@ int writeResult(std::string_view result);
 
 /// Writes `subject: message` as one line to stderr, with invisible characters escaped.
 void notify(std::string_view subject, std::string_view message);
+
+/// Lines on the progress of long work: on stderr, if wanted or at a terminal, and at most one in a second.
+class ProgressLines {
+ public:
+  explicit ProgressLines(bool wanted);
+
+  bool isShown() const { return m_shown; }
+  /// Whether a line is due; the next one is then due in a second.
+  bool isDue();
+
+ private:
+  bool m_shown;
+  std::chrono::steady_clock::time_point m_last = std::chrono::steady_clock::now();
+};
 
 /// Reports an unusable input by `notify`; returns `BadInput`.
 int refuse(std::string_view subject, std::string_view reason);

@@ -20,6 +20,7 @@ std::string planText(const std::string& session, const PlanReview& review,
 
 /// The review of a plan as one JSON document.
 std::string planJson(const std::string& session, const PlanReview& review,
-                     const std::vector<Finding>& findings, const Measurement& measurement);
+                     const std::vector<Finding>& findings, const Measurement& measurement,
+                     const std::string& digest = {});
 
 }  // namespace alidade::console

@@ -38,7 +38,8 @@ std::string journalText(const std::string& name, const Session& session, const J
   return heading(name) + statementText(journalTable(session, summary, placeOf));
 }
 
-std::string journalJson(const std::string& name, const Session& session, const JournalCheck& check) {
+std::string journalJson(const std::string& name, const Session& session, const JournalCheck& check,
+                        const std::string& digest) {
   using Json = nlohmann::ordered_json;
   Json entries = Json::array();
   for (const JournalEntry& entry : session.journal) {
@@ -67,7 +68,8 @@ std::string journalJson(const std::string& name, const Session& session, const J
                      {"contradictions", std::move(contradictions)},
                      {"sealed", std::move(sealed)},
                      {"seals", std::move(seals)},
-                     {"entries", std::move(entries)}});
+                     {"entries", std::move(entries)}},
+                    digest);
 }
 
 }  // namespace alidade::console

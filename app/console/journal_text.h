@@ -12,6 +12,7 @@ std::string journalText(const std::string& name, const Session& session, const J
 
 /// {"session", "whole", "changed_readings", "contradictions": […], "sealed": null or {"at", "by", "revision",
 /// "unchanged"}, "seals": […], "entries": [as in the session file]}.
-std::string journalJson(const std::string& name, const Session& session, const JournalCheck& check);
+std::string journalJson(const std::string& name, const Session& session, const JournalCheck& check,
+                        const std::string& digest = {});
 
 }  // namespace alidade::console

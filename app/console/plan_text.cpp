@@ -78,7 +78,8 @@ std::string planText(const std::string& session, const PlanReview& review,
 }
 
 std::string planJson(const std::string& session, const PlanReview& review,
-                     const std::vector<Finding>& findings, const Measurement& measurement) {
+                     const std::vector<Finding>& findings, const Measurement& measurement,
+                     const std::string& digest) {
   Json effects = Json::array(), advice = Json::array();
   for (const PlannedEffect& effect : review.effects)
     effects.push_back(effectJson(review, effect, measurement));
@@ -91,7 +92,7 @@ std::string planJson(const std::string& session, const PlanReview& review,
   json["effects"] = std::move(effects);
   json["advice"] = std::move(advice);
   json["findings"] = findingsJson(findings);
-  return answerText(std::move(json));
+  return answerText(std::move(json), digest);
 }
 
 }  // namespace alidade::console

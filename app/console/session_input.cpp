@@ -7,6 +7,7 @@
 #include "app/console/own_effect_files.h"
 #include "core/base/clock.h"
 #include "core/base/file_bytes.h"
+#include "core/base/sha256.h"
 #include "core/base/visible_text.h"
 #include "core/session/hindrance.h"
 #include "core/session/session_file.h"
@@ -16,22 +17,25 @@ namespace alidade::console {
 
 namespace {
 
-Result<SessionInput> sessionInput(Session session, const std::string& file) {
+Result<SessionInput> sessionInput(SessionRead read, const std::string& file) {
+  Session& session = read.session;
   Examined examined = examine(session);
   if (auto problem = firstHindrance(session, examined.problems)) return *std::move(problem);
   for (const Problem& problem : examined.problems) notify(inputName(file), problem.text());
   const std::string name = nameOf(session, file);
   reportOwnEffects(inputName(file), *examined.measurement);
-  return SessionInput{name, std::move(session), std::move(examined.measurement).value()};
+  return SessionInput{name, std::move(session), std::move(examined.measurement).value(),
+                      std::move(read.digest)};
 }
 
 }  // namespace
 
-Result<Session> readSessionOf(const std::string& file) {
-  if (file != "-") return loadSession(file);
-  const Result<std::string> bytes = readStandardInput();
+Result<SessionRead> readSessionOf(const std::string& file) {
+  const Result<std::string> bytes = file == "-" ? readStandardInput() : readFile(file);
   if (!bytes) return bytes.problem();
-  return readSession(*bytes);
+  Result<Session> session = readSession(*bytes);
+  if (!session) return session.problem();
+  return SessionRead{*std::move(session), sha256(*bytes)};
 }
 
 std::string nameOf(const Session& session, const std::string& file) {
@@ -41,12 +45,13 @@ std::string nameOf(const Session& session, const std::string& file) {
 
 Result<SessionInput> readSessionInput(const std::string& file, Session (*prepare)(Session),
                                       const std::vector<std::string>& effects) {
-  Result<Session> read = readSessionOf(file);
-  if (!read) return read.problem();
-  Session session = *std::move(read);
+  Result<SessionRead> found = readSessionOf(file);
+  if (!found) return found.problem();
+  SessionRead read = *std::move(found);
+  Session& session = read.session;
   if (prepare) session = prepare(std::move(session));
   if (auto problem = addOwnEffects(session, effects)) return *std::move(problem);
-  return sessionInput(std::move(session), file);
+  return sessionInput(std::move(read), file);
 }
 
 std::optional<Problem> addRecord(Session& session, const std::string& record) {
@@ -60,13 +65,14 @@ std::optional<Problem> addRecord(Session& session, const std::string& record) {
 
 Result<SessionInput> readSessionInput(const std::string& file, const std::string& record,
                                       const std::vector<std::string>& effects) {
-  Result<Session> read = readSessionOf(file);
-  if (!read) return read.problem();
-  Session session = *std::move(read);
+  Result<SessionRead> found = readSessionOf(file);
+  if (!found) return found.problem();
+  SessionRead read = *std::move(found);
+  Session& session = read.session;
   if (!record.empty())
     if (auto problem = addRecord(session, record)) return *std::move(problem);
   if (auto problem = addOwnEffects(session, effects)) return *std::move(problem);
-  return sessionInput(std::move(session), file);
+  return sessionInput(std::move(read), file);
 }
 
 }  // namespace alidade::console

@@ -10,15 +10,22 @@
 
 namespace alidade::console {
 
+/// A session, with the SHA-256 of the bytes that it was read from.
+struct SessionRead {
+  Session session;
+  std::string digest;
+};
+
 /// A session with its measurement.
 struct SessionInput {
   std::string name;
   Session session;
   Measurement measurement;
+  std::string digest = {};  ///< as in `SessionRead`
 };
 
 /// `file` is a path, or - for standard input.
-Result<Session> readSessionOf(const std::string& file);
+Result<SessionRead> readSessionOf(const std::string& file);
 
 /// Returns the session's title, or its file's name.
 std::string nameOf(const Session& session, const std::string& file);

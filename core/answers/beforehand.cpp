@@ -1,6 +1,7 @@
 #include "core/answers/beforehand.h"
 
 #include <algorithm>
+#include <cstddef>
 #include <iterator>
 
 #include "core/adjustment/result/session_findings.h"
@@ -12,7 +13,9 @@ namespace alidade {
 
 std::optional<Problem> absence(const Measurement& measurement, std::size_t fitted,
                                const std::vector<FitFinding>& findings) {
-  if (fitted > 0 && fitted == measurement.arcs.size()) return std::nullopt;
+  const auto read = std::ranges::count_if(measurement.arcs,
+                                          [](const ArcMeasurement& arc) { return !arc.sightings.empty(); });
+  if (fitted > 0 && static_cast<std::ptrdiff_t>(fitted) == read) return std::nullopt;
   const auto error = std::ranges::find(findings, Severity::Error, &FitFinding::severity);
   if (error == findings.end())
     return Problem{Phrase::of("there are no readings to fit; enter the readings of the axis positions")};

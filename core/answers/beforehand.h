@@ -13,7 +13,7 @@
 namespace alidade {
 
 /// Returns the first error that prevented the fit of an arc, or that there are no readings. Empty if every
-/// arc was fitted. `fitted` is the number of fitted arcs of the measurement.
+/// arc with readings was fitted. `fitted` is the number of fitted arcs of the measurement.
 std::optional<Problem> absence(const Measurement& measurement, std::size_t fitted,
                                const std::vector<FitFinding>& findings);
 

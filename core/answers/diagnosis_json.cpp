@@ -24,6 +24,7 @@ Json readingJson(const ReadingDeviation& reading) {
                {"point", reading.point},         {"face", reading.face},
                {"circle", nameOf(reading.kind)}, {"size_arcsec", reading.size}};
   if (reading.repeat > 1) json["time"] = reading.repeat;
+  if (reading.isZero) json["zero"] = reading.isAfter ? "after" : "before";
   return json;
 }
 
@@ -106,8 +107,8 @@ Json causeDocument(const Cause& cause) {
 }
 
 std::string diagnosisJson(const std::string& session, const Diagnosis& diagnosis,
-                          const std::vector<Finding>& findings) {
-  return answerText(diagnosisDocument(session, diagnosis, findings));
+                          const std::vector<Finding>& findings, const std::string& digest) {
+  return answerText(diagnosisDocument(session, diagnosis, findings), digest);
 }
 
 Json diagnosisDocument(const std::string& session, const Diagnosis& diagnosis,

@@ -11,9 +11,9 @@ namespace alidade {
 
 /// Returns one JSON document. Lengths are in mm, angles in arcseconds, parameters in the units of the
 /// catalogue; numbers that are not finite are null. `session` is the session's name; `findings` come from
-/// `findingsBeforehand`.
+/// `findingsBeforehand`; `digest` is the SHA-256 of its file, or empty.
 std::string diagnosisJson(const std::string& session, const Diagnosis& diagnosis,
-                          const std::vector<Finding>& findings);
+                          const std::vector<Finding>& findings, const std::string& digest = {});
 /// Returns the document as an object, and the object of a cause.
 nlohmann::ordered_json diagnosisDocument(const std::string& session, const Diagnosis& diagnosis,
                                          const std::vector<Finding>& findings);

@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "core/answers/beforehand.h"
+#include "core/base/sha256.h"
 #include "core/session/hindrance.h"
 
 namespace alidade {
@@ -20,7 +21,7 @@ std::optional<Problem> whyNone(const Evaluation& evaluation) {
 
 }  // namespace
 
-Result<FitAnswer> fitAnswerOf(const Gap& gap, const std::string& name) {
+Result<FitAnswer> fitAnswerOf(const Gap& gap, const std::string& name, std::string_view file) {
   const Evaluation& evaluation = *gap.evaluation;
   if (auto problem = whyNone(evaluation)) return *std::move(problem);
   const Measurement& measurement = *evaluation.examined.measurement;
@@ -28,6 +29,7 @@ Result<FitAnswer> fitAnswerOf(const Gap& gap, const std::string& name) {
   if (!evaluation.isSearched) answer.suspects = findSuspects(evaluation.session, measurement, evaluation.fit);
   answer.diagnosis = gap.diagnosis;
   answer.arrivals = arrivalsOf(evaluation.session);
+  answer.digest = sha256(file);
   answer.dependences =
       gap.dependences ? *gap.dependences : dependencesOf(measurement, answer.fit, gap.found());
   return answer;

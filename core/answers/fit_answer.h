@@ -3,6 +3,7 @@
 #include <cstddef>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "core/adjustment/gross_errors/suspects.h"
@@ -40,12 +41,14 @@ struct FitAnswer {
   /// The single rows on which the verdict depends.
   std::vector<Dependence> dependences = {};
   std::vector<Arrival> arrivals = {};  ///< of the rows of the session
+  std::string digest = {};             ///< SHA-256 of the session's file; empty: unknown
 
   const Diagnosis* found() const { return diagnosis ? &*diagnosis : nullptr; }
 };
 
 /// The result of a diagnosed evaluation, in the language of the thread. `gap` and `name` must outlive it.
 /// Fails with the first reason if an entry is unusable, a computation failed, or an arc was not fitted.
-Result<FitAnswer> fitAnswerOf(const Gap& gap, const std::string& name);
+/// `file`: the bytes of the session's file.
+Result<FitAnswer> fitAnswerOf(const Gap& gap, const std::string& name, std::string_view file);
 
 }  // namespace alidade

@@ -52,7 +52,8 @@ Json arcJson(const ArcFit& arc, const ArcSigma& sigma) {
   const ArcSummary summary = summaryOf(arc, sigma);
   for (const ArcFigure& figure : arcFigures()) {
     const double value = figure.value(summary);
-    if (figure.key) json[figure.key] = figure.isCount() ? Json(std::llround(value)) : Json(value);
+    const bool isWhole = figure.isCount() && value == std::round(value);
+    if (figure.key) json[figure.key] = isWhole ? Json(std::llround(value)) : Json(value);
   }
   json["iterations"] = arc.iterations;
   json["converged"] = arc.converged();
@@ -85,18 +86,20 @@ Json lengthJson(const std::optional<MeasuredLength>& length) {
   return {{"value_mm", length->value}, {"sigma_mm", length->sigma}, {"expanded_mm", length->expanded}};
 }
 
-/// The same keys as `intersectionJson`. Degrees of freedom and the part along x are null: an average over
-/// several explanations of the readings has none.
+/// The same keys as `intersectionJson`, and the distribution. The part along x is null, and so are the
+/// degrees of freedom of an average over several explanations of the readings.
 Json asFoundJson(const IntersectionEstimate& found, double coverage) {
-  return {{"value_mm", found.value},
-          {"sigma_mm", found.sigma},
-          {"expanded_mm", found.expanded},
-          {"coverage", coverage},
-          {"coverage_factor", found.sigma > 0 ? found.expanded / found.sigma : undefined},
-          {"effective_degrees_of_freedom", undefined},
-          {"in_plane_mm", undefined},
-          {"in_plane_sigma_mm", undefined},
-          {"in_plane_expanded_mm", undefined}};
+  return {
+      {"value_mm", found.value},
+      {"sigma_mm", found.sigma},
+      {"expanded_mm", found.expanded},
+      {"coverage", coverage},
+      {"coverage_factor", found.sigma > 0 ? found.expanded / found.sigma : undefined},
+      {"distribution", distributionOf(found)},
+      {"effective_degrees_of_freedom", found.explanations.size() > 1 ? undefined : found.degreesOfFreedom},
+      {"in_plane_mm", undefined},
+      {"in_plane_sigma_mm", undefined},
+      {"in_plane_expanded_mm", undefined}};
 }
 
 Json conditionsJson(const FitAnswer& answer, const AcceptanceDecision& decision) {
@@ -407,10 +410,11 @@ std::string fitJson(const FitAnswer& answer) {
   document["suspects"] = Json::array();
   for (const Suspect& suspect : answer.suspects) document["suspects"].push_back(suspectJson(suspect));
   document["findings"] = findingsJson(inWords(fit.findings, answer.suspects));
-  return answerText(std::move(document));
+  return answerText(std::move(document), answer.digest);
 }
 
-std::string fitJson(const std::string& name, const Measurement& measurement, const PublishedSessionFit& fit) {
+std::string fitJson(const std::string& name, const Measurement& measurement, const PublishedSessionFit& fit,
+                    const std::string& digest) {
   Json document = {{"session", name}, {"method", "published"}, {"arcs", Json::array()}};
   for (const PublishedFit& published : fit.arcs) {
     Json arc = arcJson(published.arc, {undefined, undefined, undefined, undefined, undefined});
@@ -425,7 +429,7 @@ std::string fitJson(const std::string& name, const Measurement& measurement, con
   document["budget"] = Json::array();
   document["suspects"] = Json::array();
   document["findings"] = findingsJson(inWords(fit.findings));
-  return answerText(std::move(document));
+  return answerText(std::move(document), digest);
 }
 
 }  // namespace alidade

@@ -12,8 +12,10 @@ namespace alidade {
 // residuals in arcseconds. `intersection` is absent without arcs at 0° and 180°, `decision` without a
 // tolerance or an intersection, `intersection_measured` without a diagnosis. Values that are not finite are
 // null: reduced χ² without redundancy, and every uncertainty of the published method.
+// `digest`: SHA-256 of the session's file; empty: unknown.
 
 std::string fitJson(const FitAnswer& answer);
-std::string fitJson(const std::string& name, const Measurement& measurement, const PublishedSessionFit& fit);
+std::string fitJson(const std::string& name, const Measurement& measurement, const PublishedSessionFit& fit,
+                    const std::string& digest = {});
 
 }  // namespace alidade

@@ -23,6 +23,7 @@ Guidance guidanceOf(const Session& session, SightingProtocol protocol,
                     std::optional<double> uncertainty = {});
 
 /// Returns one JSON document.
-std::string guidanceJson(const std::string& session, const Guidance& guidance);
+std::string guidanceJson(const std::string& session, const Guidance& guidance,
+                         const std::string& digest = {});
 
 }  // namespace alidade

@@ -173,7 +173,7 @@ Json outlookJson(const Guidance& guidance) {
 
 }  // namespace
 
-std::string guidanceJson(const std::string& session, const Guidance& guidance) {
+std::string guidanceJson(const std::string& session, const Guidance& guidance, const std::string& digest) {
   const ProtocolProgress& progress = guidance.progress;
   Json sightings = Json::array(), allToRepeat = Json::array();
   for (std::size_t i = 0; i < progress.sightings.size(); ++i) {
@@ -201,7 +201,7 @@ std::string guidanceJson(const std::string& session, const Guidance& guidance) {
   json["repeat"] = std::move(allToRepeat);
   json["outlook"] = outlookJson(guidance);
   json["sightings"] = std::move(sightings);
-  return answerText(std::move(json));
+  return answerText(std::move(json), digest);
 }
 
 }  // namespace alidade

@@ -25,7 +25,8 @@ std::string longNameOf(const std::string& name) {
 
 }  // namespace
 
-std::string answerText(Json document) {
+std::string answerText(Json document, const std::string& digest) {
+  if (!digest.empty()) document["session_sha256"] = digest;
   document["program"] = {{"name", "Alidade"}, {"version", programVersion}, {"build", programBuild}};
   return document.dump(2, ' ', false, Json::error_handler_t::replace) + '\n';
 }

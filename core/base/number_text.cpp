@@ -142,6 +142,16 @@ int decimalsFor(double uncertainty, int fallback) {
   return std::clamp(1 - static_cast<int>(std::floor(std::log10(uncertainty / roundsUp))), 0, mostDecimals);
 }
 
+std::string displayPercent(double share) {
+  constexpr double perUnit = 1e9;
+  return displayShortest(std::round(100 * share * perUnit) / perUnit);
+}
+
+std::string displayCount(double count) {
+  const std::string text = displayText(count, 1);
+  return text.ends_with(".0") ? text.substr(0, text.size() - 2) : text;
+}
+
 std::string lengthWithUncertainty(double value, double expanded, int decimals) {
   return displayText(value, decimals) + " mm ± " + displayText(expanded, decimals) + " mm";
 }

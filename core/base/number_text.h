@@ -30,6 +30,12 @@ std::string displayText(double value, int decimals);
 /// The shortest text for the same number: "2405", "0.95", "−2.5".
 std::string displayShortest(double value);
 
+/// A number of things: "31", or with one decimal if some count in part: "2.5".
+std::string displayCount(double count);
+
+/// A share of 0…1 in percent, without the digits of rounding: "95", "99.73".
+std::string displayPercent(double share);
+
 /// "1.31 mm ± 0.21 mm".
 std::string lengthWithUncertainty(double value, double expanded, int decimals);
 

@@ -31,6 +31,12 @@ std::optional<double> known(double probability) {
 
 }  // namespace
 
+double redundancyOf(double sum) {
+  constexpr double rounding = 1e-6;
+  const double whole = std::round(sum);
+  return std::abs(sum - whole) < rounding ? whole : sum;
+}
+
 std::optional<double> chiSquareUpperTail(WeightedSquareSum chiSquare, DegreesOfFreedom degreesOfFreedom) {
   if (!chiSquare.isKnown() || !degreesOfFreedom.isPositive()) return std::nullopt;
   const double f = degreesOfFreedom.count(), ratio = chiSquare.value() / f;

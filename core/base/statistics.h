@@ -42,6 +42,9 @@ class DegreesOfFreedom {
   double m_count;
 };
 
+/// A sum of the redundancies of readings, without the rounding error of a whole number.
+double redundancyOf(double sum);
+
 /// A test of readings fails if its p-value is smaller. A session undergoes some ten tests, so that chance
 /// alone fails one in a hundred sessions.
 inline constexpr double improbable = 0.001;

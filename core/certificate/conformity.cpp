@@ -45,7 +45,7 @@ std::optional<std::string_view> conditional(const FitAnswer& answer, const Accep
 
 std::string ruleText(const Measurement& measurement) {
   const std::string limit = displayShortest(*measurement.tolerance);
-  const std::string share = displayShortest(measurement.coverage * 100);
+  const std::string share = displayPercent(measurement.coverage);
   if (measurement.measurand == Measurand::Distance)
     return Phrase::of(
         "Distance d of the arc's centre from the axis: pass if d + U ≤ %1 mm, measured, and |Δd| + U ≤ "
@@ -96,7 +96,7 @@ void addNumbers(const Element& metaData, const FitAnswer& answer, const Acceptan
 
 std::optional<std::string_view> conformityOf(const FitAnswer& answer) {
   const auto decision = decideAcceptance(answer.measurement, answer.fit, answer.found());
-  if (!decision) return std::nullopt;
+  if (!decision || !answer.found()) return std::nullopt;
   switch (decision->verdict) {
     case Verdict::Accept:
       return isConditional(answer) ? "conditionalPass" : "pass";

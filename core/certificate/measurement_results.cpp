@@ -1,5 +1,6 @@
 #include "core/certificate/measurement_results.h"
 
+#include <algorithm>
 #include <cmath>
 #include <string_view>
 
@@ -27,27 +28,23 @@ const char* shapeOf(double degreesOfFreedom) {
   return std::isfinite(degreesOfFreedom) ? "Student's t" : "normal";
 }
 
-/// The name of the distribution. Several `explanations`, each with its own distribution, make a mixture.
-const char* shapeOf(const IntersectionEstimate& estimate) {
-  return estimate.explanations.size() > 1 ? "mixture of Student's t" : shapeOf(estimate.degreesOfFreedom);
-}
-
 std::string measuredName() {
   return Phrase::of("Intersection Δd, measured");
 }
 
 StatedQuantity asMeasured(const IntersectionEstimate& estimate, double coverage) {
-  return {.id = "intersection_as_measured",
-          .refType = "basic_measuredValue",
-          .name = [] { return measuredName(); },
-          .value = estimate.value,
-          .unit = millimetres,
-          .uncertainty = StatedUncertainty{estimate.sigma, estimate.expanded, coverage, shapeOf(estimate)},
-          .description =
-              [] {
-                return Phrase::of(
-                    "Includes every catalogued effect, limited by these readings or by its plausible size.");
-              }};
+  return {
+      .id = "intersection_as_measured",
+      .refType = "basic_measuredValue",
+      .name = [] { return measuredName(); },
+      .value = estimate.value,
+      .unit = millimetres,
+      .uncertainty = StatedUncertainty{estimate.sigma, estimate.expanded, coverage, distributionOf(estimate)},
+      .description =
+          [] {
+            return Phrase::of(
+                "Includes every catalogued effect, limited by these readings or by its plausible size.");
+          }};
 }
 
 /// Adds the quantity “Δd, measured” with the reason why it has no value.
@@ -150,7 +147,7 @@ void addArc(const Element& results, const ArcFit& arc, const ArcSigma& sigma) {
     const double value = figure.value(summary);
     StatedQuantity quantity{.id = own.c_str(),
                             .name = [&] { return figure.nameAt(arc.axisDeg); },
-                            .value = figure.sigma ? value : roundedTo(value, figure.decimals),
+                            .value = figure.sigma ? value : roundedTo(value, std::max(figure.decimals, 1)),
                             .unit = digitalUnit(figure.unit)};
     if (figure.sigma) quantity.uncertainty = standardUncertainty(figure.sigma(summary));
     addQuantity(data, quantity);

@@ -38,7 +38,7 @@ Shrinkage shrinkageOf(const Inquiry& inquiry, const Answer& answer) {
   if (rms > 0) shrink.inSample = 1 - rmsOf(answer.after) / rms;
   if (excess > 0) shrink.ofExcess = std::clamp(1 - excessOf(answer.after) / excess, 0.0, 1.0);
   if (answer.kind == Answer::Kind::Several || !answer.explanation.parts.empty() ||
-      !inquiry.largeGrossErrors.empty() || isAnythingKnown(*inquiry.base.measurement))
+      !inquiry.excluded.empty() || isAnythingKnown(*inquiry.base.measurement))
     shrink.heldOut = heldOutShrinkage(before, answer.after);
   return shrink;
 }

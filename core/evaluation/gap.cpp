@@ -40,7 +40,7 @@ std::optional<NoDiagnosis> reasonForNone(const Evaluation& evaluation) {
   const SessionFit& fit = evaluation.fit;
   if (evaluation.failure) return *evaluation.failure;
   if (fit.arcs.empty()) return Absence::NothingToCompare;
-  if (fit.joint.degreesOfFreedom <= 0) return Absence::NothingLeftOver;
+  if (fit.joint.degreesOfFreedom <= 0 && !fit.intersection) return Absence::NothingLeftOver;
   return std::nullopt;
 }
 

@@ -36,7 +36,7 @@ enum class Absence {
   NotMade,           ///< no diagnosis was requested
   Stopped,           ///< the diagnosis was stopped on request
   NothingToCompare,  ///< no arc could be fitted
-  NothingLeftOver,   ///< the readings determine the arcs without redundancy
+  NothingLeftOver,   ///< the readings of one axis angle determine its arc without redundancy
 };
 
 using NoDiagnosis = std::variant<Absence, FailedWork, DiagnosisFault>;

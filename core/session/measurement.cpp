@@ -19,6 +19,7 @@
 #include "core/session/row_fields.h"
 #include "core/session/row_order.h"
 #include "core/session/session_fields.h"
+#include "core/session/slider_sense.h"
 #include "core/session/time_text.h"
 
 namespace alidade {
@@ -267,7 +268,18 @@ class Examiner : private ProblemReporter {
     }
     for (const std::size_t i : positionsAsTaken(m_session))
       if (arcs[i]) m_measurement.arcs.push_back(*std::move(arcs[i]));
+    for (ArcMeasurement& arc : m_measurement.arcs) checkSense(arc);
     setMoments(m_measurement);
+  }
+
+  /// Leaves out slider readings that run the other way: no zero of the scale fits them.
+  void checkSense(ArcMeasurement& arc) {
+    if (!runsAgainstSlider(arc)) return;
+    for (Sighting& row : arc.sightings) row.slider.reset();
+    report({Phrase::of(
+               "the slider readings decrease where the slider coordinate s increases (at 0° with the arc "
+               "angle, at 180° against it): enter them with the opposite sign, or leave them out")},
+           {.position = arc.position, .field = "readings"});
   }
 
   /// Examines the zeros. Different zeros are a problem if one zero for all positions is stated.

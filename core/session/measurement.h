@@ -107,6 +107,8 @@ struct ZeroSightings {
   struct Move {
     Angle horizontal, vertical;
     double factor = 1;  ///< σ of either divided by that of a single sighting
+    /// Half of what face 2 changed more than face 1, with the same σ; 0 if one face was sighted both times.
+    Angle apartHorizontal = {}, apartVertical = {};
   };
   std::optional<Move> moved = {};
 };

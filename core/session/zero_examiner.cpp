@@ -9,7 +9,6 @@
 #include "core/base/angle_text.h"
 #include "core/base/number_text.h"
 #include "core/base/phrase.h"
-#include "core/base/square.h"
 #include "core/base/visible_text.h"
 #include "core/session/entry.h"
 #include "core/session/face.h"
@@ -17,24 +16,17 @@
 #include "core/session/protocol_progress.h"
 #include "core/session/row_fields.h"
 #include "core/session/time_text.h"
+#include "core/session/zero_mean.h"
 
 namespace alidade {
 
 namespace {
 
-/// One sighting converted to face 1, relative to the first.
-struct FromFirst {
-  int face = 1;
-  bool isAfter = false;
-  Angle horizontal, vertical;
-  std::optional<double> minutes = {};
-
-  bool operator==(const FromFirst&) const = default;
-};
-
 struct PositionZero {
   std::optional<FaceOneReading> first;
-  std::vector<FromFirst> sightings;  ///< all sightings, the first included
+  /// All sightings, converted to face 1, minus the first, which is included. `e` is that of the vertical
+  /// circle, which need not increase upwards.
+  std::vector<SightedZero> sightings;
 };
 
 class ZeroExaminer : private ProblemReporter {
@@ -52,10 +44,10 @@ class ZeroExaminer : private ProblemReporter {
       const std::string field = zeroField(slot);
       const auto circles = sighting(texts.horizontal, texts.vertical, field, slot.face);
       if (!circles || !read.first) continue;
-      const FromFirst from{slot.face, slot.isAfter, wrapped(circles->horizontal - read.first->horizontal),
-                           wrapped(circles->vertical - read.first->vertical), minutesOf(texts.takenAt)};
-      const bool isNear = checkDistance(from.horizontal, texts.horizontal, field + ".horizontal") &&
-                          checkDistance(from.vertical, texts.vertical, field + ".vertical");
+      const SightedZero from{slot.face, slot.isAfter, wrapped(circles->horizontal - read.first->horizontal),
+                             wrapped(circles->vertical - read.first->vertical), minutesOf(texts.takenAt)};
+      const bool isNear = checkDistance(from.a, texts.horizontal, field + ".horizontal") &&
+                          checkDistance(from.e, texts.vertical, field + ".vertical");
       if (isNear) read.sightings.push_back(from);
     }
     return {std::move(read), std::move(m_problems)};
@@ -89,112 +81,22 @@ class ZeroExaminer : private ProblemReporter {
   const std::optional<VerticalCircle> m_circle;
 };
 
-/// Means of the sightings in one face.
-struct FaceMean {
-  int count = 0;
-  Angle horizontal, vertical;
-};
-
-template <typename Takes>
-FaceMean meanOf(const std::vector<FromFirst>& sightings, const Takes& takes) {
-  FaceMean mean;
-  for (const FromFirst& one : sightings) {
-    if (!takes(one)) continue;
-    ++mean.count;
-    mean.horizontal = mean.horizontal + one.horizontal;
-    mean.vertical = mean.vertical + one.vertical;
-  }
-  if (mean.count == 0) return mean;
-  return {mean.count, mean.horizontal * (1.0 / mean.count), mean.vertical * (1.0 / mean.count)};
-}
-
-FaceMean meanOfFace(const std::vector<FromFirst>& sightings, int face) {
-  return meanOf(sightings, [face](const FromFirst& one) { return one.face == face; });
-}
-
-/// The mean change of the zero in the faces sighted both before and after the readings; absent if none was.
-std::optional<ZeroSightings::Move> moveOf(const std::vector<FromFirst>& sightings) {
-  ZeroSightings::Move move{.horizontal = {}, .vertical = {}, .factor = 0};
-  int faces = 0;
-  for (const int face : {1, 2}) {
-    const auto at = [&](bool isAfter) {
-      return meanOf(sightings,
-                    [&](const FromFirst& one) { return one.face == face && one.isAfter == isAfter; });
-    };
-    const FaceMean before = at(false), after = at(true);
-    if (before.count == 0 || after.count == 0) continue;
-    ++faces;
-    move.horizontal = move.horizontal + (after.horizontal - before.horizontal);
-    move.vertical = move.vertical + (after.vertical - before.vertical);
-    move.factor += 1.0 / before.count + 1.0 / after.count;
-  }
-  if (faces == 0) return std::nullopt;
-  return ZeroSightings::Move{move.horizontal * (1.0 / faces), move.vertical * (1.0 / faces),
-                             std::sqrt(move.factor) / faces};
-}
-
-/// The sightings relative to their mean. `horizontal`, `vertical`: the mean minus the first sighting.
-std::vector<SightedZero> apartFrom(const std::vector<FromFirst>& sightings, Angle horizontal, Angle vertical,
-                                   double up) {
-  std::vector<SightedZero> apart;
-  for (const FromFirst& one : sightings)
-    apart.push_back({.face = one.face,
-                     .isAfter = one.isAfter,
-                     .a = one.horizontal - horizontal,
-                     .e = (one.vertical - vertical) * up,
-                     .minutes = one.minutes});
-  return apart;
-}
-
-/// Returns the zero: the mean over the faces that count, each with the mean of its sightings. `up`: 1 if the
-/// vertical circle increases upwards, otherwise −1.
+/// Returns the zero of a position. `up`: 1 if the vertical circle increases upwards, otherwise −1.
 ZeroDirection directionOf(const PositionZero& zero, bool withFaceTwo, double up) {
-  std::vector<FromFirst> counting = zero.sightings;
-  std::erase_if(counting, [&](const FromFirst& one) { return one.face == 2 && !withFaceTwo; });
-  ZeroSightings how{.count = static_cast<int>(counting.size()),
-                    .isInBothFaces = withFaceTwo,
-                    .factor = 0,
-                    .hasLeftOutFace = counting.size() < zero.sightings.size(),
-                    .moved = moveOf(counting)};
-  const int faces = withFaceTwo ? 2 : 1;
-  Angle horizontal, vertical;
-  for (int face = 1; face <= faces; ++face) {
-    const FaceMean mean = meanOfFace(counting, face);
-    horizontal = horizontal + mean.horizontal * (1.0 / faces);
-    vertical = vertical + mean.vertical * (1.0 / faces);
-    how.factor += 1.0 / mean.count;
+  const ZeroMean mean = zeroMeanOf(zero.sightings, withFaceTwo);
+  ZeroDirection direction{zero.first->horizontal + mean.a, zero.first->vertical + mean.e, mean.sightings, {}};
+  for (SightedZero one : zero.sightings) {
+    if (one.face == 2 && !withFaceTwo) continue;
+    one.a = one.a - mean.a;
+    one.e = (one.e - mean.e) * up;
+    direction.each.push_back(one);
   }
-  how.factor = std::sqrt(how.factor) / faces;
-  return {zero.first->horizontal + horizontal, zero.first->vertical + vertical, how,
-          apartFrom(counting, horizontal, vertical, up)};
-}
-
-/// χ² of the sightings about the means of their faces, with its degrees of freedom.
-struct Scatter {
-  double chiSquare = 0;
-  int degreesOfFreedom = 0;
-};
-
-void addScatter(Scatter& scatter, const std::vector<FromFirst>& sightings, Angle sigmaHorizontal,
-                Angle sigmaVertical) {
-  for (const int face : {1, 2}) {
-    const FaceMean mean = meanOfFace(sightings, face);
-    if (mean.count < 2) continue;
-    for (const FromFirst& one : sightings) {
-      if (one.face != face) continue;
-      if (sigmaHorizontal > Angle())
-        scatter.chiSquare += square((one.horizontal - mean.horizontal).radians() / sigmaHorizontal.radians());
-      if (sigmaVertical > Angle())
-        scatter.chiSquare += square((one.vertical - mean.vertical).radians() / sigmaVertical.radians());
-    }
-    scatter.degreesOfFreedom +=
-        (mean.count - 1) * ((sigmaHorizontal > Angle() ? 1 : 0) + (sigmaVertical > Angle() ? 1 : 0));
-  }
+  return direction;
 }
 
 /// Gives each position the sightings of all positions; false if two sightings contradict each other.
 bool poolSightings(std::vector<PositionZero>& zeros) {
-  std::map<std::pair<int, bool>, FromFirst> pooled;
+  std::map<std::pair<int, bool>, SightedZero> pooled;
   const FaceOneReading* first = nullptr;
   for (const PositionZero& zero : zeros) {
     if (!zero.first) continue;
@@ -202,14 +104,12 @@ bool poolSightings(std::vector<PositionZero>& zeros) {
     if (!areEqualAsTyped(first->horizontal, zero.first->horizontal) ||
         !areEqualAsTyped(first->vertical, zero.first->vertical))
       return false;
-    for (const FromFirst& one : zero.sightings) {
+    for (const SightedZero& one : zero.sightings) {
       const auto [found, isNew] = pooled.emplace(std::pair(one.face, one.isAfter), one);
-      if (!areEqualAsTyped(found->second.horizontal, one.horizontal) ||
-          !areEqualAsTyped(found->second.vertical, one.vertical))
-        return false;
+      if (!areEqualAsTyped(found->second.a, one.a) || !areEqualAsTyped(found->second.e, one.e)) return false;
     }
   }
-  std::vector<FromFirst> sightings;
+  std::vector<SightedZero> sightings;
   for (const auto& [slot, one] : pooled) sightings.push_back(one);
   for (PositionZero& zero : zeros)
     if (zero.first) zero.sightings = sightings;
@@ -217,7 +117,7 @@ bool poolSightings(std::vector<PositionZero>& zeros) {
 }
 
 bool isInFaceTwo(const PositionZero& zero) {
-  return std::ranges::find(zero.sightings, 2, &FromFirst::face) != zero.sightings.end();
+  return std::ranges::find(zero.sightings, 2, &SightedZero::face) != zero.sightings.end();
 }
 
 }  // namespace
@@ -240,17 +140,16 @@ ExaminedZeros examineZeros(const Session& session, const std::optional<VerticalC
   const bool isOne = kind == PointingZeros::One && !examined.isOneOfSeveral;
   const bool withFaceTwo =
       std::ranges::all_of(zeros, [](const PositionZero& zero) { return !zero.first || isInFaceTwo(zero); });
-  Scatter scatter;
+  ZeroScatter scatter(sigmaHorizontal, sigmaVertical);
   bool isCounted = false;
   for (std::size_t i = 0; i < zeros.size(); ++i) {
     if (!zeros[i].first) continue;
     const double up = circle.value_or(VerticalCircle::Zenith) == VerticalCircle::Zenith ? -1 : 1;
     examined.ofPositions[i].direction = directionOf(zeros[i], withFaceTwo, up);
-    if (!isOne || !isCounted) addScatter(scatter, zeros[i].sightings, sigmaHorizontal, sigmaVertical);
+    if (!isOne || !isCounted) scatter.add(zeros[i].sightings);
     isCounted = true;
   }
-  if (scatter.degreesOfFreedom > 0)
-    examined.scatter = std::max(1.0, std::sqrt(scatter.chiSquare / scatter.degreesOfFreedom));
+  examined.scatter = scatter.factor();
   return examined;
 }
 

@@ -41,7 +41,8 @@ int decimalsOfLengths(const std::vector<ArcSigma>& sigmas) {
 /// The figure with u in brackets, if it has one.
 std::string cellOf(const ArcFigure& figure, const ArcSummary& arc, int decimalsOfLength) {
   const int decimals = figure.decimals < 0 ? decimalsOfLength : figure.decimals;
-  const std::string value = displayText(figure.value(arc), decimals);
+  const double number = figure.value(arc);
+  const std::string value = figure.isCount() ? displayCount(number) : displayText(number, decimals);
   return figure.sigma ? value + " (" + displayText(figure.sigma(arc), decimals) + ")" : value;
 }
 

@@ -106,7 +106,8 @@ class Rows {
   }
 
   std::string sizeOf(double value, double sigma, const std::string& unit) const {
-    if (isExact(value, sigma)) return displayShortest(value) + signOf(unit);
+    constexpr double digits = 1e9;  // beyond them is rounding
+    if (isExact(value, sigma)) return displayShortest(std::round(value * digits) / digits) + signOf(unit);
     return sizeWithExpanded(value, m_coverage * sigma, unit);
   }
 

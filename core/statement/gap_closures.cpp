@@ -12,7 +12,7 @@ namespace {
 
 /// The note below the closures: their conditions, and the coverage of U.
 std::string noteOf(const Measurement& measurement) {
-  const std::string coverage = displayShortest(100 * measurement.coverage);
+  const std::string coverage = displayPercent(measurement.coverage);
   return hasRepeats(measurement)
              ? Phrase::of(
                    "If the arc is rigid, half a turn about an axis along x changes neither its radius nor "

@@ -61,8 +61,8 @@ std::string measuredTip(const Measurement& measurement, const MeasuredIntersecti
       "%1 at %2 % coverage.\nIncludes every catalogued effect, limited by these readings or by its plausible "
       "size. The "
       "page Budget lists what each contributes.\n%3",
-      exactly(measured.estimate.value, measured.estimate.expanded),
-      displayShortest(100 * measurement.coverage), acrossSentence(measured));
+      exactly(measured.estimate.value, measured.estimate.expanded), displayPercent(measurement.coverage),
+      acrossSentence(measured));
 }
 
 /// Sets name and figure, and with a tolerance and a finite U the scale of the tolerance.
@@ -83,7 +83,7 @@ Headline frameOf(const Measurement& measurement, const SessionFit& fit) {
   const Intersection& fitted = *fit.intersection;
   headline.fitOnly = Phrase::of("Δd, fit only: %1", figureText(measurement, fitted.value, fitted.expanded));
   headline.fitOnlyDetails =
-      Phrase::of("U at %1 % coverage (k = %2); u = %3 mm", displayShortest(fitted.coverage * 100),
+      Phrase::of("U at %1 % coverage (k = %2); u = %3 mm", displayPercent(fitted.coverage),
                  displayText(fitted.coverageFactor, 2), displayText(fitted.sigma, decimalsFor(fitted.sigma)));
   return headline;
 }

@@ -67,9 +67,10 @@ constexpr ArcFigure ofArc[] = {
      .unit = "",
      .decimals = 0,
      .title = PHRASE_LATER("Phrase", "Redundancy"),
-     .remark = "",
+     .remark = PHRASE_LATER(
+         "Phrase", "Sum of the redundancies of its readings; unknowns of several arcs count in part"),
      .name = PHRASE_LATER("Phrase", "Redundancy"),
-     .value = [](const ArcSummary& arc) { return static_cast<double>(arc.degreesOfFreedom); }},
+     .value = [](const ArcSummary& arc) { return arc.degreesOfFreedom; }},
 };
 
 constexpr MeasuredFigure ofIntersection[] = {

@@ -14,7 +14,8 @@ struct ArcFigure {
   const char* id;      ///< of its column, in CSV and in the certificate
   const char* key;     ///< in the JSON of an arc; null: in an object of several numbers
   const char* unit;    ///< "mm", "arcsec" or ""
-  int decimals;        ///< for people; 0: a count; negative: as many as its uncertainty needs
+  int decimals;        ///< for people; 0: a count, of which a part may be shared; negative: as many as its
+                       ///< uncertainty needs
   const char* title;   ///< of its column; a phrase for `Phrase::of`
   const char* remark;  ///< explains the column; a phrase, may be empty
   const char* name;    ///< in the certificate; a phrase in which %1 is the centre, O1 or O2

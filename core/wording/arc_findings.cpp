@@ -14,9 +14,9 @@ using namespace arc_finding;
 namespace {
 
 /// "(reduced χ² 53.29 with 31 degrees of freedom)".
-std::string scatterText(double reducedChiSquare, int degreesOfFreedom) {
+std::string scatterText(double reducedChiSquare, double degreesOfFreedom) {
   return Phrase::of("(reduced χ² %1 with %2 degrees of freedom)", displayText(reducedChiSquare, 2),
-                    degreesOfFreedom);
+                    displayCount(degreesOfFreedom));
 }
 
 Words wordsOf(const NotConverged& finding) {

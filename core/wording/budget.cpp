@@ -66,7 +66,8 @@ std::string textOf(UncertaintyShare::Type type) {
 }
 
 std::string numbersText(const UncertaintyShare& share) {
-  constexpr int digits = 3;
+  // A default is scaled by what the session's other effects are like, which no third digit survives.
+  const int digits = share.from == UncertaintyShare::From::Default ? 2 : 3;
   std::vector<std::string> numbers;
   for (const PlausibleSize& size : share.sizes) {
     std::string text = displayShortest(roundedTo(size.sigma, digits));

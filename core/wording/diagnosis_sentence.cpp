@@ -9,8 +9,10 @@
 #include "core/base/phrase.h"
 #include "core/effects/cause_ids.h"
 #include "core/session/face.h"
+#include "core/session/protocol_progress.h"
 #include "core/wording/effect_name.h"
 #include "core/wording/findings.h"
+#include "core/wording/guidance.h"
 #include "core/wording/position_name.h"
 
 namespace alidade {
@@ -135,6 +137,13 @@ std::string headlineOf(const Diagnosis& diagnosis) {
 }
 
 std::string readingName(const ReadingDeviation& reading) {
+  if (reading.isZero) {
+    PlannedSighting zero;
+    zero.isZero = true;
+    zero.isAfter = reading.isAfter;
+    zero.face = reading.face;
+    return listed({positionName(reading.axisDeg, reading.repeat), sightingName(zero), inWords(reading.kind)});
+  }
   std::vector<std::string> where{positionName(reading.axisDeg, reading.repeat),
                                  Phrase::of("point %1", reading.point), inWords(reading.kind)};
   if (reading.round != 1) where.push_back(Phrase::of("round %1", reading.round));

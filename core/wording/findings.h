@@ -37,6 +37,8 @@ Words wordsOf(const session_finding::PositionMissing& finding);
 Words wordsOf(const session_finding::RadiiDiffer& finding);
 Words wordsOf(const session_finding::CentresDiffer& finding);
 Words wordsOf(const session_finding::KnownRadiusContradicted& finding);
+Words wordsOf(const session_finding::NominalRadiusContradicted& finding);
+Words wordsOf(const session_finding::PositionCopied& finding);
 Words wordsOf(const session_finding::UnknownEffect& finding);
 Words wordsOf(const session_finding::KnownOfNothing& finding);
 Words wordsOf(const session_finding::CorrectionsDiffer& finding);

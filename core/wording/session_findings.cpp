@@ -67,6 +67,22 @@ Words wordsOf(const KnownRadiusContradicted& finding) {
           Phrase::of("Check R0, its σ and the distance, or let the radius be free.")};
 }
 
+Words wordsOf(const NominalRadiusContradicted& finding) {
+  return {Phrase::of(
+              "The fitted radius differs from the nominal radius of %1 mm by %2 mm; the readings and the σ "
+              "of R0 and L allow at most %3 mm at 0.1 % risk.",
+              displayShortest(finding.nominal), displayText(finding.away, 3), displayText(finding.bound, 3)),
+          Phrase::of("Check R0, its σ and the distance: the diagnosis seeks causes of this difference.")};
+}
+
+Words wordsOf(const PositionCopied& finding) {
+  return {
+      Phrase::of(
+          "%1 has the same readings as %2: a copy counts as a measurement of its own, and makes U too small.",
+          positionName(finding.axisDeg, finding.repeat), positionName(finding.axisDeg, finding.earlier)),
+      Phrase::of("Delete the copied position, or type the readings taken there.")};
+}
+
 Words wordsOf(const UnknownEffect& finding) {
   return {Phrase::of("The session's model names %1, which is no effect that can be estimated.",
                      quotation(finding.id)),

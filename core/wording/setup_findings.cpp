@@ -118,6 +118,13 @@ Words wordsOf(const ZeroMoved& finding) {
   const std::string where = positionName(finding.axisDeg, finding.repeat),
                     horizontal = moved(finding.horizontal, finding.sigmaHorizontal),
                     vertical = moved(finding.vertical, finding.sigmaVertical);
+  if (finding.isOfOneFace)
+    return {
+        Phrase::of("%1: while the position was read, the pointing zero changed in face 2 by %2 horizontally "
+                   "and %3 vertically more than in face 1 (1σ): one of these sightings may be misread; U "
+                   "assumes that the zeros scatter %4 times their stated σ.",
+                   where, horizontal, vertical, displayText(finding.scatter, 1)),
+        Phrase::of("Check the entries of the pointing zero, or sight it again in both faces.")};
   return {
       finding.scatter > 1
           ? Phrase::of("%1: the pointing zero moved by %2 horizontally and %3 vertically (1σ) while the "

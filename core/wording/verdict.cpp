@@ -36,9 +36,14 @@ std::string limitText(double tolerance) {
   return Phrase::of("the tolerance of ± %1 mm", displayShortest(tolerance));
 }
 
+/// The limit of a distance, which is never negative.
+std::string limitOfDistance(double tolerance) {
+  return Phrase::of("the tolerance of %1 mm", displayShortest(tolerance));
+}
+
 /// "1.31 mm ± 0.21 mm (95 % coverage)".
 std::string withCoverage(const std::string& length, double coverage) {
-  return Phrase::of("%1 (%2 % coverage)", length, displayShortest(coverage * 100));
+  return Phrase::of("%1 (%2 % coverage)", length, displayPercent(coverage));
 }
 
 /// Where a value with its interval lies relative to the limit.
@@ -69,7 +74,9 @@ std::string agreement(const std::string& first, const std::string& second, Verdi
 std::string wayOut(const Diagnosis& diagnosis) {
   const UncertaintyShare& most = diagnosis.measured->budget.front();
   if (most.effect.empty() || most.from == UncertaintyShare::From::Diagnosis)
-    return Phrase::of("Add the effects found to the model, or measure what the diagnosis advises.");
+    return diagnosis.causes.empty()
+               ? Phrase::of("Take more readings, or measure what the diagnosis advises.")
+               : Phrase::of("Add the effects found to the model, or measure what the diagnosis advises.");
   const AttainableUncertainty* easiest = easiestMeasured(diagnosis.attainable);
   return easiest
              ? Phrase::of("Most of U comes from %1 at its plausible size: with %2, U would be about %3 mm.",
@@ -108,7 +115,7 @@ std::string distanceText(const Measurement& measurement, const MeasuredIntersect
       "perpendicular to it (Δz). The interval is %4.",
       withCoverage(part(*measured.distance), measurement.coverage), part(measured.estimate),
       part(*measured.across),
-      conformityText(decision.asFound.value_or(Verdict::Undecided), limitText(tolerance)));
+      conformityText(decision.asFound.value_or(Verdict::Undecided), limitOfDistance(tolerance)));
 }
 
 /// States what a tolerance of Δd does not cover.
@@ -200,7 +207,7 @@ std::string verdictSentence(const Measurement& measurement, const SessionFit& fi
   if (fit.lengthsInDoubt) return withheldBy(*fit.lengthsInDoubt);
   if (decision.obstacle == AcceptanceDecision::Obstacle::Coverage)
     return Phrase::of("There is no verdict at a coverage of %1 %: state a coverage of %2 or more.",
-                      displayShortest(measurement.coverage * 100), displayShortest(leastCoverageOfVerdict));
+                      displayPercent(measurement.coverage), displayShortest(leastCoverageOfVerdict));
   const std::string rests =
       inTurn(estimatesText(measurement, fit, diagnosis, decision), acrossText(measurement, diagnosis));
   if (decision.obstacle == AcceptanceDecision::Obstacle::AcrossUnknown)

@@ -454,6 +454,18 @@ Sealed by:</source>
         <source>Sessions and series (*.alidade *.alidade-series);;All files (*)</source>
         <translation>测量记录和系列 (*.alidade *.alidade-series);;所有文件 (*)</translation>
     </message>
+    <message>
+        <source>Readings of the instrument that are not in “%1” yet: %2.</source>
+        <translation>尚未录入“%1”的仪器读数：%2。</translation>
+    </message>
+    <message>
+        <source>Cancel to take them in first: a doubtful reading has a question above the table of readings.</source>
+        <translation>请取消，先录入这些读数：有疑问的读数会在读数表上方提问。</translation>
+    </message>
+    <message>
+        <source>Discarded readings cannot be brought back.</source>
+        <translation>丢弃的读数无法恢复。</translation>
+    </message>
 </context>
 <context>
     <name>DifferenceText</name>
@@ -8128,6 +8140,110 @@ Includes every catalogued effect, limited by these readings or by its plausible 
         <source>Some sessions have an elevation circle, others a zenith circle: all sizes of errors of the vertical circle are those on a zenith circle.</source>
         <translation>部分测量记录为高度角度盘，其余为天顶距度盘：所有竖直度盘误差的大小均按天顶距度盘给出。</translation>
     </message>
+    <message>
+        <source>Sum of the redundancies of its readings; unknowns of several arcs count in part</source>
+        <translation>该圆弧各读数多余观测分量之和；几条圆弧共有的未知数按比例计入</translation>
+    </message>
+    <message>
+        <source>%1: while the position was read, the pointing zero changed in face 2 by %2 horizontally and %3 vertically more than in face 1 (1σ): one of these sightings may be misread; U assumes that the zeros scatter %4 times their stated σ.</source>
+        <translation>%1：读取该轴位期间，瞄准零位在盘右的变化比盘左水平多 %2，竖直多 %3（1σ）：其中一次照准可能误读；U 按零位离散为给定值的 %4 倍计算。</translation>
+    </message>
+    <message>
+        <source>Check the entries of the pointing zero, or sight it again in both faces.</source>
+        <translation>请检查瞄准零位的输入，或用两个盘位重新照准。</translation>
+    </message>
+    <message>
+        <source>a file is of the instrument with the serial number %1; the session keeps %2</source>
+        <translation>有一个文件属于序列号为 %1 的仪器；测量记录保留 %2</translation>
+    </message>
+    <message>
+        <source>%1: the values scatter about one mean as their uncertainties say.</source>
+        <translation>%1：各值围绕同一平均值的离散与其不确定度相符。</translation>
+    </message>
+    <message>
+        <source>The values of %1 and %2 differ by %3: measure on a third date to tell a change from understated uncertainties.</source>
+        <translation>%1 与 %2 的值相差 %3：请在第三个日期测量，以区分变化与被低估的不确定度。</translation>
+    </message>
+    <message>
+        <source>All values are of one date: measure on other dates to tell a change from understated uncertainties.</source>
+        <translation>所有值都属于同一日期：请在其他日期测量，以区分变化与被低估的不确定度。</translation>
+    </message>
+    <message>
+        <source>%1 states %2 in the unit %3, not in %4: the value is left out until it is converted.</source>
+        <translation>%1 中%2的单位是 %3，而不是 %4：换算之前不使用该值。</translation>
+    </message>
+    <message>
+        <source>each of the columns %1 could hold the value: name only one of them “value” in the first line</source>
+        <translation>列 %1 中的每一列都可能是值：请在首行只将其中一列命名为“value”</translation>
+    </message>
+    <message>
+        <source>each of the columns %1 could hold the standard uncertainty: name only one of them “u” in the first line</source>
+        <translation>列 %1 中的每一列都可能是标准不确定度：请在首行只将其中一列命名为“u”</translation>
+    </message>
+    <message>
+        <source>the columns %1 and %2 state different units: give the value and its uncertainty in one unit</source>
+        <translation>列 %1 和 %2 注明的单位不同：请用同一单位给出值及其不确定度</translation>
+    </message>
+    <message>
+        <source>has the readings of %1 once more: leave one of the two out</source>
+        <translation>与 %1 的读数完全相同：请去掉其中一个</translation>
+    </message>
+    <message>
+        <source>is of the instrument with the serial number %1, an earlier file of that with %2: check each instrument by itself</source>
+        <translation>属于序列号为 %1 的仪器，而前面的文件属于 %2：请分别检验每台仪器</translation>
+    </message>
+    <message>
+        <source>measured on %1; the check takes the day of an earlier file, %2</source>
+        <translation>测量日期为 %1；检验采用前面文件的日期 %2</translation>
+    </message>
+    <message>
+        <source>the slider readings decrease where the slider coordinate s increases (at 0° with the arc angle, at 180° against it): enter them with the opposite sign, or leave them out</source>
+        <translation>滑块坐标 s 增大处滑块读数减小（0° 时 s 与弧角同向，180° 时反向）：请将读数改为相反符号，或不输入</translation>
+    </message>
+    <message>
+        <source>its own in each session</source>
+        <translation>各测量记录各有其值</translation>
+    </message>
+    <message>
+        <source>the instrument of each session</source>
+        <translation>各测量记录的仪器</translation>
+    </message>
+    <message>
+        <source>the guideway of each session</source>
+        <translation>各测量记录的导轨</translation>
+    </message>
+    <message>
+        <source>Measure %1 more sessions: %2 would then be detectable at %3 σ.</source>
+        <translation>还需测量 %1 份测量记录：届时能以 %3 σ 的程度显示%2。</translation>
+    </message>
+    <message>
+        <source>The fitted radius differs from the nominal radius of %1 mm by %2 mm; the readings and the σ of R0 and L allow at most %3 mm at 0.1 % risk.</source>
+        <translation>拟合半径与标称半径 %1 mm 相差 %2 mm；按读数以及 R0 和 L 的 σ，在 0.1 % 的风险下最多容许 %3 mm。</translation>
+    </message>
+    <message>
+        <source>Check R0, its σ and the distance: the diagnosis seeks causes of this difference.</source>
+        <translation>请检查 R0、其 σ 和距离：诊断会为这一差值寻找原因。</translation>
+    </message>
+    <message>
+        <source>%1 has the same readings as %2: a copy counts as a measurement of its own, and makes U too small.</source>
+        <translation>%1 与 %2 的读数相同：副本会被当作一次独立测量，使 U 偏小。</translation>
+    </message>
+    <message>
+        <source>Delete the copied position, or type the readings taken there.</source>
+        <translation>请删除复制的轴位，或输入在该处实际读取的读数。</translation>
+    </message>
+    <message>
+        <source>the tolerance of %1 mm</source>
+        <translation>允差 %1 mm</translation>
+    </message>
+    <message>
+        <source>Take more readings, or measure what the diagnosis advises.</source>
+        <translation>请增加读数，或按诊断的建议测量。</translation>
+    </message>
+    <message>
+        <source>degrees, minutes and seconds stand in columns of their own; copy a row with their names, too, or import the table</source>
+        <translation>度、分、秒各占一列；请连同列名所在的行一起复制，或导入该表格</translation>
+    </message>
 </context>
 <context>
     <name>PlaceText</name>
@@ -10044,6 +10160,22 @@ a clause as a sentence</extracomment>
         <source>“%1” was written by another program or window.</source>
         <translation>“%1”已被其他程序或窗口写入。</translation>
     </message>
+    <message>
+        <source>Save</source>
+        <translation>保存</translation>
+    </message>
+    <message>
+        <source>Writes the session into its file again</source>
+        <translation>将测量记录重新写入其文件</translation>
+    </message>
+    <message>
+        <source>You are asked again before the session is closed</source>
+        <translation>关闭测量记录之前会再次询问</translation>
+    </message>
+    <message>
+        <source>The file “%1” was deleted, moved or renamed: only this window has the session until you save it.</source>
+        <translation>文件“%1”已被删除、移动或重命名：在保存之前，只有此窗口保有该测量记录。</translation>
+    </message>
 </context>
 <context>
     <name>alidade::ui::ChartFiles</name>
@@ -11784,6 +11916,10 @@ a clause as a sentence</extracomment>
         <source>%1 readings wait until the open entry is accepted (Enter) or cancelled (Esc)</source>
         <translation>%1 个读数在等待：请提交（Enter）或取消（Esc）正在录入的输入项</translation>
     </message>
+    <message>
+        <source>The reading that came now was requested for another session and was not taken in: read again.</source>
+        <translation>刚收到的读数是为另一测量记录请求的，未予录入：请重新读数。</translation>
+    </message>
 </context>
 <context>
     <name>alidade::ui::InstrumentDialog</name>
@@ -12995,6 +13131,10 @@ a clause as a sentence</extracomment>
         <source>The reading was rejected: %1 and %2, %3.</source>
         <translation>已不采用该读数：%1 和 %2，%3。</translation>
     </message>
+    <message>
+        <source>Readings that waited for the session before, and were not taken into this one: %1.</source>
+        <translation>为前一测量记录等待、未录入本测量记录的读数：%1。</translation>
+    </message>
 </context>
 <context>
     <name>alidade::ui::ReadingQuestionBar</name>
@@ -13477,6 +13617,10 @@ a clause as a sentence</extracomment>
     <message>
         <source>Excludes the rows from the fit; their entries are kept</source>
         <translation>将这些行从拟合中去掉；录入的内容保留</translation>
+    </message>
+    <message>
+        <source>Correct this sighting of the pointing zero, or clear it: the zero is the mean of the others.</source>
+        <translation>请改正或清除瞄准零位的这次照准：零位取其余各次照准的平均值。</translation>
     </message>
 </context>
 <context>

@@ -52,6 +52,32 @@ TEST(Batch, GivesALineForEachFileInTheirOrder) {
   }
 }
 
+TEST(Batch, GivesALineForASingleFileOnRequest) {
+  const TemporaryFolder folder;
+  const std::string path = folder.file("a.alidade", titled("a"));
+  for (const std::vector<std::string>& call :
+       {std::vector<std::string>{"fit", "--json-lines", path}, {"diagnose", "--json-lines", path}}) {
+    const ProgramRun run = alidadeCli(call);
+    ASSERT_EQ(run.exitCode, 0) << run.err;
+    const std::vector<Json> lines = linesOf(run.out);
+    ASSERT_EQ(lines.size(), 1u);
+    EXPECT_EQ(lines[0]["file"], path);
+    EXPECT_EQ(lines[0]["session"], "a");
+  }
+}
+
+// An answer says of which bytes it is: their SHA-256, as `sha256sum` prints it.
+TEST(Batch, NamesTheBytesOfTheSession) {
+  const TemporaryFolder folder;
+  const std::string path = folder.file("a.alidade", titled("a"));
+  const ProgramRun sum = runProgram({.program = "/usr/bin/sha256sum", .arguments = {path}});
+  ASSERT_EQ(sum.exitCode, 0) << sum.err;
+  for (const char* command : {"fit", "diagnose", "plan", "journal"}) {
+    const ProgramRun run = alidadeCli({command, "--json", path});
+    EXPECT_EQ(Json::parse(run.out)["session_sha256"], sum.out.substr(0, 64)) << command << run.err;
+  }
+}
+
 TEST(Batch, SaysOfEachFileWhatIsSaidOfItAlone) {
   const TemporaryFolder folder;
   folder.file("a.alidade", titled("a"));
@@ -107,7 +133,7 @@ TEST(Batch, ReadsAPipeThatIsNamedByItself) {
   EXPECT_EQ(Json::parse(run.out)["session"], "through a pipe");
 }
 
-// Δd of the paper is 1.07 ± 0.94 mm.
+// Δd of the paper is 1.24 ± 0.79 mm.
 TEST(Batch, ExitsWithTheVerdictOnRequest) {
   const TemporaryFolder folder;
   const auto within = [&](const char* name, double tolerance) {

@@ -6,8 +6,10 @@
 #include "core/answers/csv_answers.h"
 #include "core/answers/diagnosis_json.h"
 #include "core/answers/fit_json.h"
+#include "core/base/sha256.h"
 #include "core/diagnosis/diagnose.h"
 #include "core/session/hindrance.h"
+#include "core/session/session_file.h"
 #include "core/wording/diagnosis_sentence.h"
 
 namespace alidade::ui {
@@ -41,7 +43,7 @@ Result<std::string> residualsAnswer(const Session& session, const std::string&) 
 
 Result<std::string> resultAnswer(const Session& session, const std::string& name) {
   const Gap gap = assessGap(std::make_shared<const Evaluation>(evaluate(session)));
-  const Result<FitAnswer> answer = fitAnswerOf(gap, name);
+  const Result<FitAnswer> answer = fitAnswerOf(gap, name, writeSession(session));
   if (!answer) return answer.problem();
   return fitJson(*answer);
 }
@@ -53,7 +55,7 @@ Result<std::string> gapAnswer(const Session& session, const std::string& name) {
   if (!findings) return findings.problem();
   const auto diagnosis = diagnosed(*of);
   if (!diagnosis) return problemOf(diagnosis.problem());
-  return diagnosisJson(name, *diagnosis, *findings);
+  return diagnosisJson(name, *diagnosis, *findings, sha256(writeSession(session)));
 }
 
 Result<std::string> budgetAnswer(const Session& session, const std::string&) {

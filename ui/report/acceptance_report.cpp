@@ -109,9 +109,10 @@ std::string nameInResults(const Session& session, const ReportSource& source) {
 /// Computes the results on another thread, since many readings take long. Absent if nothing is attached.
 std::future<std::optional<std::string>> resultsInBackground(const ReportOptions& options,
                                                             const ReportSource& source) {
-  return std::async(std::launch::async, [gap = options.gap, isWanted = options.hasSession,
-                                         name = nameInResults(options.gap->evaluation->session, source)] {
-    return isWanted ? resultsJson(*gap, name) : std::nullopt;
+  return std::async(std::launch::async, [gap = options.gap, isWanted = options.hasSession, source] {
+    const Session& session = gap->evaluation->session;
+    return isWanted ? resultsJson(*gap, nameInResults(session, source), source.bytesOf(session))
+                    : std::nullopt;
   });
 }
 
@@ -120,10 +121,9 @@ std::vector<PdfAttachment> attachmentsOf(const ReportSource& source, const Repor
   std::vector<PdfAttachment> attachments;
   if (!options.hasSession) return attachments;
   const Session& session = options.gap->evaluation->session;
-  const bool isFile = source.saved && !source.bytes.isEmpty();
   attachments.push_back({.fileName = attachedName(source.fileName),
                          .description = Report::tr("The session of this report, to be opened with Alidade"),
-                         .bytes = isFile ? source.bytes.toStdString() : writeSession(session),
+                         .bytes = source.bytesOf(session),
                          .relationship = "/Source"});
   if (results)
     attachments.push_back({.fileName = QStringLiteral("results.json"),
@@ -178,6 +178,10 @@ Result<std::string> pdfOf(const Evaluation& evaluation, const ReportSource& sour
 }
 
 }  // namespace
+
+std::string ReportSource::bytesOf(const Session& session) const {
+  return saved && !bytes.isEmpty() ? bytes.toStdString() : writeSession(session);
+}
 
 std::optional<Problem> writeSigned(const QString& path, const std::string& bytes,
                                    const std::optional<Signer>& signer, const ReportSource& source) {

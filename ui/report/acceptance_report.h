@@ -29,6 +29,9 @@ struct ReportSource {
                            ///< the digest of the unsaved session's content, with a label
   QStringList paths = {};  ///< the session's files, which no report may replace
   QByteArray bytes = {};   ///< bytes of the file to attach, if `saved`
+
+  /// The bytes of the file; of the unsaved session in the form in which it would be saved.
+  std::string bytesOf(const Session& session) const;
 };
 
 struct ReportOptions {

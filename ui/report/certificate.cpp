@@ -41,10 +41,9 @@ Result<WrittenCertificate> certificateOf(const ReportSource& source, const Repor
   const Gap& gap = *report.gap;
   const Session& session = gap.evaluation->session;
   const std::string name = session.title.empty() ? source.fileName.toStdString() : session.title;
-  const Result<FitAnswer> answer = fitAnswerOf(gap, name);
+  const std::string bytes = source.bytesOf(session);
+  const Result<FitAnswer> answer = fitAnswerOf(gap, name, bytes);
   if (!answer) return answer.problem();
-  const bool isFile = source.saved && !source.bytes.isEmpty();
-  const std::string bytes = isFile ? source.bytes.toStdString() : writeSession(session);
   CertificateOptions options{.version = versionAndBuild(),
                              .measuredOn = entries.measuredOn.toStdString(),
                              .country = entries.country.toStdString(),

@@ -6,9 +6,9 @@
 
 namespace alidade::ui {
 
-std::optional<std::string> resultsJson(const Gap& gap, const std::string& name) {
+std::optional<std::string> resultsJson(const Gap& gap, const std::string& name, std::string_view file) {
   const LanguageScope english(QStringLiteral("en"));
-  const Result<FitAnswer> answer = fitAnswerOf(gap, name);
+  const Result<FitAnswer> answer = fitAnswerOf(gap, name, file);
   if (!answer) return std::nullopt;
   return fitJson(*answer);
 }

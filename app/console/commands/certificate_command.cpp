@@ -101,7 +101,7 @@ Result<CertificateAnswer> runCertificate(const CertificateRequest& request) {
   const Session& session = read->session;
   const Gap gap = assessGap(std::make_shared<const Evaluation>(evaluate(session)));
   const std::string name = nameOf(session, request.file);
-  const Result<FitAnswer> answer = fitAnswerOf(gap, name);
+  const Result<FitAnswer> answer = fitAnswerOf(gap, name, read->bytes);
   if (!answer) return answer.problem();
 
   CertificateOptions options{.version = versionAndBuild(),

@@ -2,7 +2,6 @@
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
-#include <chrono>
 #include <filesystem>
 #include <functional>
 #include <memory>
@@ -78,15 +77,10 @@ CLI::Validator effectCheck() {
   return check;
 }
 
-/// Prints progress to stderr from time to time during long work.
 std::function<void(std::size_t, std::size_t)> progressLine(bool wanted) {
-  using Clock = std::chrono::steady_clock;
-  if (!wanted) return {};
-  return [lastReport = Clock::now()](std::size_t done, std::size_t all) mutable {
-    constexpr auto pause = std::chrono::seconds(1);
-    if (Clock::now() - lastReport < pause) return;
-    lastReport = Clock::now();
-    notify("alidade-cli", std::to_string(100 * done / std::max<std::size_t>(all, 1)) + " % done");
+  return [lines = ProgressLines(wanted)](std::size_t done, std::size_t all) mutable {
+    if (lines.isDue())
+      notify("alidade-cli", std::to_string(100 * done / std::max<std::size_t>(all, 1)) + " % done");
   };
 }
 
@@ -142,7 +136,7 @@ Result<std::string> runDiagnose(const DiagnoseRequest& request, const std::strin
   if (!diagnosis) return problemOf(diagnosis.problem());
   if (!request.keepForm.empty())
     if (auto problem = keepForm(request, *diagnosis, input.session)) return *std::move(problem);
-  if (request.batch.json) return diagnosisJson(input.name, *diagnosis, *findings);
+  if (request.batch.json) return diagnosisJson(input.name, *diagnosis, *findings, input.digest);
   auto evaluation = std::make_shared<Evaluation>();
   evaluation->session = std::move(input.session);
   evaluation->examined.measurement = std::move(measurement);

@@ -36,6 +36,7 @@ Result<std::string> rigorousAnswer(const FitRequest& request, SessionInput input
   FitAnswer answer{input.name, measurement, fit,
                    findSuspects(input.session, measurement, fit, {.risk = request.risk})};
   answer.arrivals = arrivalsOf(input.session);
+  answer.digest = input.digest;
   input.session = {};  // frees the memory of the rows
   if (!request.monteCarlo.empty()) {
     MonteCarloOptions options{.seed = request.seed};
@@ -53,11 +54,11 @@ Result<std::string> rigorousAnswer(const FitRequest& request, SessionInput input
   return request.batch.json ? fitJson(answer) : fitText(answer);
 }
 
-Result<std::string> publishedAnswer(const FitRequest& request, const std::string& name,
-                                    const Measurement& measurement) {
+Result<std::string> publishedAnswer(const FitRequest& request, const SessionInput& input) {
+  const Measurement& measurement = input.measurement;
   const PublishedSessionFit fit = fitSessionAsPublished(measurement);
   if (auto problem = absence(measurement, fit.arcs.size(), fit.findings)) return *std::move(problem);
-  return request.batch.json ? fitJson(name, measurement, fit) : fitText(name, fit);
+  return request.batch.json ? fitJson(input.name, measurement, fit, input.digest) : fitText(input.name, fit);
 }
 
 }  // namespace
@@ -110,7 +111,7 @@ Result<std::string> runFit(const FitRequest& request, const std::string& file, V
     return Problem{"--csv " + request.csv + " prints the table of one session: name one file"};
   Result<SessionInput> input = readSessionInput(file, request.instrument, request.effects);
   if (!input) return input.problem();
-  return request.method == "published" ? publishedAnswer(request, input->name, input->measurement)
+  return request.method == "published" ? publishedAnswer(request, *input)
                                        : rigorousAnswer(request, *std::move(input), verdicts);
 }
 

@@ -256,9 +256,9 @@ Result<ImportOptions> importOptions(const ImportRequest& request) {
       return Problem{"--out names the file that is read: give the session a file of its own"};
   ImportOptions options;
   if (!request.addTo.empty()) {
-    Result<Session> session = readSessionOf(request.addTo);
-    if (!session) return Problem{"--add-to: " + session.problem().text()};
-    options.base = *std::move(session);
+    const Result<SessionRead> base = readSessionOf(request.addTo);
+    if (!base) return Problem{"--add-to: " + base.problem().text()};
+    options.base = base->session;
   }
   options.unit = angleUnitNamed(request.unit);
   options.zeroPoint = request.zeroPoint;

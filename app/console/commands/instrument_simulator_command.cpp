@@ -49,7 +49,10 @@ std::vector<std::string> faultNames() {
 }
 
 Result<Session> sessionOf(const SimulatorRequest& request) {
-  if (!request.session.empty()) return readSessionOf(request.session);
+  if (!request.session.empty()) {
+    const Result<SessionRead> read = readSessionOf(request.session);
+    return read ? Result<Session>(read->session) : Result<Session>(read.problem());
+  }
   return simulate(*protocolByName(request.plan), drawTruth(request.seed), request.seed);
 }
 

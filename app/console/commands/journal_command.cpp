@@ -17,12 +17,14 @@ void addJournalCommand(CLI::App& app, JournalRequest& request) {
 }
 
 Result<JournalAnswer> runJournal(const JournalRequest& request) {
-  const Result<Session> session = readSessionOf(request.file);
-  if (!session) return session.problem();
-  const std::string name = nameOf(*session, request.file);
-  const JournalCheck check = checkJournal(*session);
-  return JournalAnswer{request.json ? journalJson(name, *session, check) : journalText(name, *session, check),
-                       check.holds()};
+  const Result<SessionRead> read = readSessionOf(request.file);
+  if (!read) return read.problem();
+  const Session& session = read->session;
+  const std::string name = nameOf(session, request.file);
+  const JournalCheck check = checkJournal(session);
+  return JournalAnswer{
+      request.json ? journalJson(name, session, check, read->digest) : journalText(name, session, check),
+      check.holds()};
 }
 
 }  // namespace alidade::console

@@ -78,7 +78,7 @@ int giveInstrument(const InstrumentRequest& request, std::string& subject) {
 /// Writes the fit of one file, or of each file if several, a folder or a series are named.
 int giveFits(const FitRequest& request, std::string& subject, VerdictExit& verdicts) {
   const auto answer = [&](const std::string& file) { return runFit(request, file, verdicts); };
-  if (!namesMany(request.files)) {
+  if (!namesMany(request.files) && !request.batch.jsonLines) {
     subject = inputName(request.files.front());
     return give(answer(request.files.front()), subject);
   }
@@ -94,7 +94,7 @@ int giveFit(const FitRequest& request, std::string& subject) {
 }
 
 int giveDiagnosis(const DiagnoseRequest& request, std::string& subject) {
-  if (request.each)
+  if (request.each || request.batch.jsonLines)
     return answerEach(
         request.files, [&](const std::string& file) { return runDiagnose(request, file); }, request.batch);
   if (namesMany(request.files)) return giveSeries(request);

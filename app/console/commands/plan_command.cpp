@@ -36,7 +36,7 @@ Result<std::string> runPlan(const PlanRequest& request) {
   if (!findings) return findings.problem();
   const auto review = reviewPlan(input.measurement, fit);
   if (!review) return problemOf(review.problem());
-  return request.json ? planJson(input.name, *review, *findings, input.measurement)
+  return request.json ? planJson(input.name, *review, *findings, input.measurement, input.digest)
                       : planText(input.name, *review, *findings, effort);
 }
 

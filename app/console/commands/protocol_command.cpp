@@ -117,8 +117,9 @@ void addProtocolCommand(CLI::App& app, ProtocolRequest& request) {
 }
 
 Result<std::string> runProtocol(const ProtocolRequest& request) {
-  const Result<Session> session = readSessionOf(request.file);
-  if (!session) return session.problem();
+  const Result<SessionRead> read = readSessionOf(request.file);
+  if (!read) return read.problem();
+  const Session* const session = &read->session;
   Result<SightingProtocol> wanted = wantedProtocol(request, *session);
   if (!wanted) return wanted.problem();
   SightingProtocol protocol = *std::move(wanted);
@@ -137,7 +138,8 @@ Result<std::string> runProtocol(const ProtocolRequest& request) {
   if (auto problem = writeOutputs(outputs, {request.file, templateFile(request)})) return *std::move(problem);
   const Guidance guidance = guidanceOf(*session, protocol, request.uncertainty);
   const std::string name = nameOf(*session, request.file);
-  return request.json ? guidanceJson(name, guidance) : guidanceText(name, guidance, circleUnitOf(*session));
+  return request.json ? guidanceJson(name, guidance, read->digest)
+                      : guidanceText(name, guidance, circleUnitOf(*session));
 }
 
 }  // namespace alidade::console

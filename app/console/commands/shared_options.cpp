@@ -18,6 +18,9 @@ void addBatchOptions(CLI::App& command, BatchOptions& options) {
   command.add_flag("--progress", options.progress,
                    "Report on stderr how many files are done, even if stderr is no terminal");
   command.add_flag("--json", options.json, "Print one JSON document; of many files, one line for each");
+  command.add_flag_callback(
+      "--json-lines", [&options] { options.json = options.jsonLines = true; },
+      "As --json, but one line for each file even if there is only one");
 }
 
 void addSigningOptions(CLI::App& command, SigningFiles& files) {

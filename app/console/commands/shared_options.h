@@ -12,7 +12,7 @@ class App;
 
 namespace alidade::console {
 
-/// Adds `[--threads N] [--progress] [--json]` to a subcommand for many files.
+/// Adds `[--threads N] [--progress] [--json] [--json-lines]` to a subcommand for many files.
 void addBatchOptions(CLI::App& command, BatchOptions& options);
 
 /// Adds `[--sign-key KEY --sign-certificate CERT [--sign-passphrase-file FILE]]` to a subcommand that writes

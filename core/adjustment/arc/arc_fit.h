@@ -37,8 +37,10 @@ struct ArcFit {
   int axisDeg = 0;
   Circle circle;                            ///< y up
   std::vector<SightingResidual> residuals;  ///< in the order of the sightings
-  int degreesOfFreedom = 0;  ///< circle readings − visits − unknowns; 0 or less: the noise cannot be checked
-  double chiSquare = 0;      ///< Σ (v/σ)² with the stated σ
+  /// Circle readings − visits − unknowns; 0 or less: the noise cannot be checked. In the fit of a session as
+  /// `ArcResidualSum::degreesOfFreedom`.
+  double degreesOfFreedom = 0;
+  double chiSquare = 0;    ///< Σ (v/σ)² with the stated σ
   double residualRms = 0;  ///< arcseconds, over all angle readings of the arc
   Covariance3 cofactor{};  ///< covariance of (Δx, Δy, R) from the stated σ of the readings alone
   int iterations = 0;

@@ -110,7 +110,7 @@ class ArcApart {
     Eigen::Map<Vector4d>(perUnknown.data()) = gradient * m_cofactor.col(1);
     std::vector<double>& angles = fit.arcAngles[m_index];
     angles.resize(m_arc.sightings.size());
-    ArcResidualSum sum{0, -static_cast<int>(m_visits.size()) - unknowns()};
+    ArcResidualSum sum{0, -static_cast<double>(m_visits.size()) - unknowns()};
     std::array<VisitReliability, eight> reliability;
     const std::vector<double> arcAngles = unwrappedArcAngles();
     for (std::size_t v = 0; v < m_visits.size(); ++v) {
@@ -304,7 +304,7 @@ std::optional<JointFit> fitJointlyFast(const Measurement& measurement, const std
   for (std::size_t i = 0; i < arcs.size(); ++i) {
     fit.iterations = std::max(fit.iterations, arcs[i].iterations());
     fit.chiSquare += fit.residualSums[i].chiSquare;
-    fit.degreesOfFreedom += fit.residualSums[i].degreesOfFreedom;
+    fit.degreesOfFreedom += static_cast<int>(fit.residualSums[i].degreesOfFreedom);
   }
   fit.status = FitStatus::Converged;
   return fit;

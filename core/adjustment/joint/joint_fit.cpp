@@ -12,6 +12,7 @@
 #include "core/adjustment/joint/joint_problem.h"
 #include "core/adjustment/joint/sighted_zeros.h"
 #include "core/adjustment/numerics/least_squares.h"
+#include "core/base/statistics.h"
 #include "core/observation/half_turn.h"
 
 namespace alidade {
@@ -144,7 +145,7 @@ void fillReadings(JointFit& fit, const Measurement& measurement, const JointProb
     ArcResidualSum& sum = fit.residualSums[arc];
     sum.chiSquare += equations.residual.squaredNorm();
     const VisitEquations::Jacobian columns = JointProblem::reduced(equations);
-    sum.degreesOfFreedom -= equations.along.isZero(0) ? 0 : 1;
+    fit.degreesOfFreedom -= equations.along.isZero(0) ? 0 : 1;
     for (Index row = 0; row < equations.residual.size(); ++row) {
       const Slots reduced = columns.row(row).transpose();
       const Slots turned = cofactors[arc].lazyProduct(reduced);
@@ -156,28 +157,21 @@ void fillReadings(JointFit& fit, const Measurement& measurement, const JointProb
       reading.sigma = sigmaOf(measurement, cell).radians();
       reading.residual = equations.residual[row] * reading.sigma;
       const bool takesPart = !equations.jacobian.row(row).isZero(0);
-      sum.degreesOfFreedom += takesPart ? 1 : 0;
+      fit.degreesOfFreedom += takesPart ? 1 : 0;
       reading.redundancy = std::clamp(
           (takesPart ? 1 : 0) - equations.along[row] * equations.along[row] - reduced.dot(turned), 0.0, 1.0);
+      sum.degreesOfFreedom += reading.redundancy;
       reading.perReading = gradients[arc].dot(reduced) / reading.sigma;
       if (isOfZero(measurement, cell))
         fit.zeroRows.push_back(spreadOf(problem, reduced, arc, fit.unknowns.size()));
       fit.readings.push_back(reading);
     }
   }
-}
-
-/// Degrees of freedom: observations in χ² minus estimated unknowns. An unknown with a prior is also an
-/// observation and counts on both sides.
-void countDegreesOfFreedom(JointFit& fit, const JointProblem& problem) {
-  for (std::size_t i = 0; i < fit.unknowns.size(); ++i) {
-    if (problem.prior(i).isInformative()) continue;
-    const Unknown& unknown = fit.unknowns[i];
-    const bool isShared = unknown.arc == Unknown::everyArc || unknown.kind == Unknown::Kind::Error ||
-                          (unknown.isOfAxis() && std::ranges::count(fit.firsts, unknown.arc) > 1);
-    --(isShared ? fit.degreesOfFreedom : fit.residualSums[unknown.arc].degreesOfFreedom);
-  }
-  for (const ArcResidualSum& sum : fit.residualSums) fit.degreesOfFreedom += sum.degreesOfFreedom;
+  for (ArcResidualSum& sum : fit.residualSums) sum.degreesOfFreedom = redundancyOf(sum.degreesOfFreedom);
+  // Observations in χ² minus estimated unknowns. An unknown with a prior is also an observation and counts on
+  // both sides.
+  for (std::size_t i = 0; i < fit.unknowns.size(); ++i)
+    fit.degreesOfFreedom -= problem.prior(i).isInformative() ? 0 : 1;
 }
 
 /// Did the fit diverge from every circle? The stated noise alone makes a centre or radius uncertain by more
@@ -253,7 +247,6 @@ JointFit fitJointlyInGeneral(const Measurement& measurement, const std::vector<C
   if (!fit.converged() && hasRunAway(fit)) fit.status = FitStatus::Undetermined;
   fit.residualSums.resize(measurement.arcs.size());
   fillReadings(fit, measurement, problem, minimum.system.equations, cofactor);
-  countDegreesOfFreedom(fit, problem);
   return fit;
 }
 

@@ -91,8 +91,10 @@ struct AdjustedReading {
 
 /// The residuals of one arc, summed.
 struct ArcResidualSum {
-  double chiSquare = 0;      ///< Σ (v/σ)² over circles and slider
-  int degreesOfFreedom = 0;  ///< readings − visits − unknowns of the arc alone without a prior
+  double chiSquare = 0;  ///< Σ (v/σ)² over circles and slider
+  /// Σ r over the same readings: the expectation of χ² if the stated σ are right. For an arc that shares no
+  /// unknown with others it is readings − visits − unknowns; a shared unknown counts in part for each arc.
+  double degreesOfFreedom = 0;
 };
 
 struct JointFitOptions {
@@ -155,6 +157,9 @@ struct JointFit {
   /// Index of an unknown; `unknowns.size()` if this fit lacks it. For a shared centre or radius, `arc` may be
   /// any arc that shares it.
   std::size_t indexOf(const Unknown& unknown) const;
+  std::size_t indexOf(ErrorTerm term) const {
+    return indexOf(Unknown{.kind = Unknown::Kind::Error, .arc = 0, .term = term});
+  }
   bool converged() const { return status == FitStatus::Converged; }
   /// If false, `chiSquare`, `values` and all results derived from them are meaningless.
   bool isDetermined() const { return status != FitStatus::Undetermined; }

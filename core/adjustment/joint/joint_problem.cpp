@@ -124,9 +124,11 @@ bool JointProblem::sharesRadius() const {
 Prior JointProblem::radiusPrior() const {
   // An exact radius gets a σ of a nanometre: far below the resolution of any reading, far above rounding.
   constexpr double exact = 1e-6;
-  const double sigma = m_measurement.sigmaRadius;
-  const bool isObserved = m_measurement.radiusModel == RadiusModel::Known || (m_isClosed && sigma > 0);
-  return isObserved ? Prior{m_measurement.nominalRadius, std::max(sigma, exact)} : Prior{};
+  const double radius = m_measurement.nominalRadius, sigma = m_measurement.sigmaRadius;
+  if (m_measurement.radiusModel == RadiusModel::Known) return {radius, std::max(sigma, exact)};
+  if (!m_isClosed || !(sigma > 0)) return {};
+  // The readings see R/L. An R0 weighed as if L were exact would bend the arcs by the error of L.
+  return {radius, std::hypot(sigma, radius * m_measurement.sigmaDistance / m_measurement.distance)};
 }
 
 void JointProblem::estimate(const Unknown& unknown, const Prior& prior) {

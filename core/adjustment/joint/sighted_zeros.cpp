@@ -52,17 +52,13 @@ CommonZeros commonZeros(const Measurement& measurement) {
                                 hasAlikeZeros(measurement);
   const bool isMark = measurement.zeroIs == ZeroIs::Mark || measurement.zeroIs == ZeroIs::Unstated;
   if (!isMark || mayBeOneSighting) return {};
-  const Differences differ = differencesOf(measurement);
-  return {differ.horizontal <= likeCircles, differ.vertical <= likeCircles};
+  return {differencesOf(measurement).horizontal <= likeCircles, true};
 }
 
 bool areZerosInDoubt(const Measurement& measurement) {
   if (measurement.zeroIs != ZeroIs::Unstated || measurement.arcs.empty()) return false;
   const Differences differ = differencesOf(measurement);
-  const auto isInDoubt = [](double difference) {
-    return difference > likeMarks && difference <= likeCircles;
-  };
-  return isInDoubt(differ.horizontal) || isInDoubt(differ.vertical);
+  return (differ.horizontal > likeMarks && differ.horizontal <= likeCircles) || differ.vertical > likeMarks;
 }
 
 Measurement withZerosSighted(Measurement measurement) {
@@ -87,6 +83,10 @@ Measurement withZerosSighted(Measurement measurement) {
   }
   putInZeros(measurement);
   return measurement;
+}
+
+std::size_t indexOfZero(const ArcMeasurement& arc, std::size_t sighting) {
+  return sighting - (arc.sightings.size() - arc.zeroSightings.size());
 }
 
 void leaveOutZeros(Measurement& measurement) {

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <cstddef>
+
 #include "core/observation/reading_ref.h"
 #include "core/session/measurement.h"
 
@@ -16,17 +18,20 @@ namespace alidade {
 // with M and e0 unknown: common to all positions, or one for each position if its zero is not a common mark.
 
 /// Are the zeros of all positions one mark? The session may state this. If it does not, they count as one
-/// mark, unless all are written identically and may be a single sighting. A circle whose zeros differ by more
-/// than 1° was reset, and has no common zero.
+/// mark, unless all are written identically and may be a single sighting. A horizontal circle whose zeros
+/// differ by more than 1° was reset, and has no common zero; a vertical circle is never reset.
 CommonZeros commonZeros(const Measurement& measurement);
 
-/// Do zeros whose mark is unstated differ by more than 30″, and at most 1°, in either circle? They may then
-/// be different marks.
+/// Do zeros whose mark is unstated differ by more than 30″ in either circle, horizontally at most by 1°? They
+/// may then be different marks.
 bool areZerosInDoubt(const Measurement& measurement);
 
 /// The measurement with every sighting of a zero after the rows of its arc (`Sighting::isZero`). If the zeros
 /// are common, all readings count from one zero. The rows keep their places.
 Measurement withZerosSighted(Measurement measurement);
+
+/// The index into `ArcMeasurement::zeroSightings` of a sighting that `withZerosSighted` added to an arc.
+std::size_t indexOfZero(const ArcMeasurement& arc, std::size_t sighting);
 
 /// Remove the sightings of zeros, and insert them again at the moments that `setMoments` gave the zeros.
 void leaveOutZeros(Measurement& measurement);

@@ -16,6 +16,7 @@ namespace {
 
 constexpr double poorRadiusUncertainty = 0.01;
 constexpr double farFromNominal = 0.05;
+constexpr double leastTested = 1;  // with less redundancy, χ² of shared unknowns is not distributed as χ²
 
 void add(std::vector<FitFinding>& findings, const ArcFit& fit, Severity severity, What what) {
   findings.push_back({severity, Place{.position = fit.position, .reading = {}, .field = "readings"},
@@ -24,6 +25,7 @@ void add(std::vector<FitFinding>& findings, const ArcFit& fit, Severity severity
 
 void judgeRedundancyAndNoise(std::vector<FitFinding>& findings, const ArcFit& fit) {
   if (fit.degreesOfFreedom <= 0) return add(findings, fit, Severity::Warning, NothingChecks{});
+  if (fit.degreesOfFreedom < leastTested) return;
   const std::optional<double> upper = chiSquareUpperTail(fit.chiSquare, fit.degreesOfFreedom);
   if (!upper) return;
   if (*upper < improbable)

@@ -5,18 +5,11 @@
 #include <optional>
 #include <utility>
 
+#include "core/base/statistics.h"
+
 namespace alidade {
 
 namespace {
-
-/// The number of estimated unknowns that the arcs at the axis of arc `first` share.
-int sharedUnknowns(const JointFit& joint, std::size_t first) {
-  int count = 0;
-  for (std::size_t i = 0; i < joint.unknowns.size(); ++i)
-    if (joint.unknowns[i].isOfAxis() && joint.unknowns[i].arc == first && std::isinf(joint.priorSigmas[i]))
-      ++count;
-  return count;
-}
 
 void add(ArcSummary& sum, const ArcFit& arc) {
   const double before = sum.sightings, more = static_cast<double>(arc.residuals.size());
@@ -26,24 +19,19 @@ void add(ArcSummary& sum, const ArcFit& arc) {
                   (before + more));
   sum.arcs.push_back(&arc);
   sum.sightings += static_cast<int>(arc.residuals.size());
-  sum.degreesOfFreedom += arc.degreesOfFreedom;
+  sum.degreesOfFreedom = redundancyOf(sum.degreesOfFreedom + arc.degreesOfFreedom);
   sum.chiSquare += arc.chiSquare;
 }
 
 std::optional<ArcSummary> summaryAt(const SessionFit& fit, int axisDeg) {
   std::optional<ArcSummary> summary;
-  std::size_t first = 0;
   for (std::size_t i = 0; i < fit.arcs.size(); ++i) {
     if (fit.arcs[i].axisDeg != axisDeg) continue;
-    if (summary) {
+    if (summary)
       add(*summary, fit.arcs[i]);
-    } else {
-      first = i;
+    else
       summary = summaryOf(fit.arcs[i], fit.sigmas[i]);
-    }
   }
-  // The degrees of freedom of arcs that share unknowns do not yet subtract these.
-  if (summary && summary->arcs.size() > 1) summary->degreesOfFreedom -= sharedUnknowns(fit.joint, first);
   return summary;
 }
 

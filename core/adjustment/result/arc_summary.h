@@ -11,7 +11,7 @@ struct ArcSummary {
   std::vector<const ArcFit*> arcs;  ///< at least one
   ArcSigma sigma;
   int sightings = 0;
-  int degreesOfFreedom = 0;
+  double degreesOfFreedom = 0;  ///< as `ArcResidualSum::degreesOfFreedom`, of all its arcs
   double chiSquare = 0;
   double residualRms = 0;  ///< arcseconds
 

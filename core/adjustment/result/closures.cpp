@@ -149,7 +149,7 @@ std::vector<Closure> zeroClosuresOf(const Measurement& measurement, const JointF
   if (measurement.hasOneZero() || !fit.isDetermined() || measurement.arcs.empty()) return closures;
   const CommonZeros common = commonZeros(measurement);
   const auto sizeOf = [&](ErrorTerm term) {
-    const std::size_t index = fit.indexOf({.kind = Unknown::Kind::Error, .arc = 0, .term = term});
+    const std::size_t index = fit.indexOf(term);
     return index < fit.values.size() ? fit.values[index] : 0;
   };
   const ArcMeasurement& first = measurement.arcs.front();

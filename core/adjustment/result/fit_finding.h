@@ -26,11 +26,11 @@ struct NotConverged {
 struct NothingChecks {};
 struct ScattersMore {
   double reducedChiSquare = 1;
-  int degreesOfFreedom = 1;
+  double degreesOfFreedom = 1;
 };
 struct ScattersLess {
   double reducedChiSquare = 1;
-  int degreesOfFreedom = 1;
+  double degreesOfFreedom = 1;
 };
 struct RadiusPoorlyKnown {
   Angle span;
@@ -89,12 +89,14 @@ struct ReadingsRounded {
   Angle step;   ///< to which the readings are rounded
   Angle sigma;  ///< stated
 };
-/// The zeros before and after the readings of the position differ by more than sightings scatter.
+/// The zeros before and after the readings of the position differ by more than sightings scatter. If
+/// `isOfOneFace`, the change is what face 2 changed more than face 1.
 struct ZeroMoved {
   int axisDeg = 0, repeat = 1;
   Angle horizontal, vertical;            ///< change of the zero, as read in face 1
   Angle sigmaHorizontal, sigmaVertical;  ///< of this change
   double scatter = 1;                    ///< factor by which U assumes zeros to scatter more than stated
+  bool isOfOneFace = false;              ///< one of the sightings may be misread
 };
 /// The zero in face 2 is ignored, since other positions have none.
 struct ZeroFaceLeftOut {
@@ -128,6 +130,14 @@ struct CentresDiffer {
 };
 struct KnownRadiusContradicted {
   double nominal = 0, pulledBy = 0, bound = 0;
+};
+/// The radius from the readings contradicts an R0 that has a σ, in a model with a free radius.
+struct NominalRadiusContradicted {
+  double nominal = 0, away = 0, bound = 0;  ///< R0; fitted radius minus R0, and its bound
+};
+/// A position has the same readings as an earlier one at its axis angle.
+struct PositionCopied {
+  int axisDeg = 0, repeat = 1, earlier = 1;  ///< `earlier`: repeat of the other
 };
 struct UnknownEffect {
   std::string id;
@@ -168,9 +178,10 @@ struct FitFinding {
       setup_finding::ZerosDiffer, setup_finding::ReadingsRounded, setup_finding::ZeroMoved,
       setup_finding::ZeroFaceLeftOut, session_finding::ArcMissing, session_finding::Undetermined,
       session_finding::PositionMissing, session_finding::RadiiDiffer, session_finding::CentresDiffer,
-      session_finding::KnownRadiusContradicted, session_finding::UnknownEffect,
-      session_finding::KnownOfNothing, session_finding::CorrectionsDiffer, session_finding::TiltsUnused,
-      session_finding::AxisMoved, session_finding::CompensatorOff, session_finding::PlanarRelation>;
+      session_finding::KnownRadiusContradicted, session_finding::NominalRadiusContradicted,
+      session_finding::PositionCopied, session_finding::UnknownEffect, session_finding::KnownOfNothing,
+      session_finding::CorrectionsDiffer, session_finding::TiltsUnused, session_finding::AxisMoved,
+      session_finding::CompensatorOff, session_finding::PlanarRelation>;
 
   Severity severity = Severity::Warning;  ///< Error: the reason why one arc or all arcs are missing
   Place where;

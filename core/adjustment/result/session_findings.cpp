@@ -5,6 +5,7 @@
 #include <iterator>
 
 #include "core/adjustment/result/closures.h"
+#include "core/base/angle_text.h"
 #include "core/base/statistics.h"
 #include "core/effects/catalogue.h"
 #include "core/effects/known_sizes.h"
@@ -67,6 +68,34 @@ void judgeKnownRadius(std::vector<FitFinding>& findings, const Measurement& meas
                       KnownRadiusContradicted{measurement.nominalRadius, away, bound}});
 }
 
+void judgeNominalRadius(std::vector<FitFinding>& findings, const Measurement& measurement,
+                        const SessionFit& fit) {
+  const std::vector<Closure> closures = closuresOf(measurement, fit.joint);
+  const auto closure = std::ranges::find(closures, Closure::Of::NominalRadius, &Closure::of);
+  if (closure == closures.end() || !fails(*closure)) return;
+  const double bound = coverageFactor(1 - improbable, fit.noise.degreesOfFreedom) * closure->sigma;
+  findings.push_back({Severity::Warning, fieldOf("geometry.radius_mm"),
+                      NominalRadiusContradicted{measurement.nominalRadius, closure->value, bound}});
+}
+
+/// Two runs over an arc never agree in every reading, not even where they are rounded to a second.
+void judgeCopies(std::vector<FitFinding>& findings, const Measurement& measurement) {
+  const auto isSame = [](const Sighting& one, const Sighting& other) {
+    return areEqualAsTyped(one.a, other.a) && areEqualAsTyped(one.e, other.e);
+  };
+  for (std::size_t later = 0; later < measurement.arcs.size(); ++later)
+    for (std::size_t earlier = 0; earlier < later; ++earlier) {
+      const ArcMeasurement &arc = measurement.arcs[later], &other = measurement.arcs[earlier];
+      if (arc.axisDeg != other.axisDeg || arc.sightings.size() < 3 ||
+          !std::ranges::equal(arc.sightings, other.sightings, isSame))
+        continue;
+      findings.push_back({Severity::Warning,
+                          Place{.position = arc.position, .reading = {}, .field = "readings"},
+                          PositionCopied{arc.axisDeg, arc.repeat, other.repeat}});
+      break;
+    }
+}
+
 /// Reports why tilts and corrections of the rows cannot be fully used.
 void judgeCompensator(std::vector<FitFinding>& findings, const Measurement& measurement) {
   const CompensatorNotes notes = compensatorKnowledge(measurement).notes;
@@ -110,6 +139,8 @@ std::vector<FitFinding> sessionFindings(const Measurement& measurement, const Se
   judgeClosure<RadiiDiffer>(findings, fit, Unknown::Kind::Radius);
   judgeClosure<CentresDiffer>(findings, fit, Unknown::Kind::CentreX);
   judgeKnownRadius(findings, measurement, fit);
+  judgeNominalRadius(findings, measurement, fit);
+  judgeCopies(findings, measurement);
   std::ranges::move(modelFindings(measurement), std::back_inserter(findings));
   return findings;
 }

@@ -16,7 +16,7 @@ std::vector<FitFinding> missingPositions(const Measurement& measurement);
 std::vector<FitFinding> modelFindings(const Measurement& measurement);
 
 /// Findings on the session as a whole: a missing position, radii or centres of one rigid guideway that
-/// differ, a known radius that contradicts the readings, a problem of the model.
+/// differ, a known or nominal radius that contradicts the readings, a problem of the model.
 std::vector<FitFinding> sessionFindings(const Measurement& measurement, const SessionFit& fit);
 
 /// Findings on an arc that was fitted: no redundancy, the same reading typed twice, scatter that contradicts

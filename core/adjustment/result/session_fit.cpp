@@ -75,7 +75,7 @@ std::vector<EffectEstimate> estimatesOf(const JointFit& joint, const std::vector
   std::vector<EffectEstimate> estimates;
   for (const Effect* effect : effects) {
     for (const EffectParameter& parameter : effect->parameters) {
-      const std::size_t i = joint.indexOf({.kind = Unknown::Kind::Error, .arc = 0, .term = parameter.term});
+      const std::size_t i = joint.indexOf(parameter.term);
       std::vector<double> weights(joint.unknowns.size());
       weights[i] = 1;
       const double factor = modelUnitsPer(parameter.unit);

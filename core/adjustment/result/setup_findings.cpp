@@ -119,18 +119,23 @@ void judgeMoves(std::vector<FitFinding>& findings, const Measurement& measuremen
   const double scale = measurement.zerosAreReadings ? std::max(1.0, fit.noise.factor) : 1;
   for (const ArcMeasurement& arc : measurement.arcs) {
     if (!arc.zero.moved) continue;
-    const auto& [horizontal, vertical, factor] = *arc.zero.moved;
-    const Angle sigmaHorizontal = measurement.sigmaZeroHorizontal * (scale * factor),
-                sigmaVertical = measurement.sigmaZeroVertical * (scale * factor);
-    const auto isFar = [](Angle move, Angle sigma) {
-      return std::abs(move.radians()) > farthest * sigma.radians();
+    const ZeroSightings::Move& move = *arc.zero.moved;
+    const Angle sigmaHorizontal = measurement.sigmaZeroHorizontal * (scale * move.factor),
+                sigmaVertical = measurement.sigmaZeroVertical * (scale * move.factor);
+    const auto areFar = [&](Angle horizontal, Angle vertical) {
+      return std::abs(horizontal.radians()) > farthest * sigmaHorizontal.radians() ||
+             std::abs(vertical.radians()) > farthest * sigmaVertical.radians();
     };
-    if (!isFar(horizontal, sigmaHorizontal) && !isFar(vertical, sigmaVertical)) continue;
+    ZeroMoved moved{arc.axisDeg,     arc.repeat,    move.horizontal,        move.vertical,
+                    sigmaHorizontal, sigmaVertical, measurement.zeroScatter};
+    if (areFar(move.apartHorizontal, move.apartVertical))
+      moved = {arc.axisDeg,         arc.repeat,        move.apartHorizontal * 2, move.apartVertical * 2,
+               sigmaHorizontal * 2, sigmaVertical * 2, measurement.zeroScatter,  true};
+    else if (!areFar(move.horizontal, move.vertical))
+      continue;
     findings.push_back(
         {Severity::Warning,
-         Place{.position = arc.position, .reading = {}, .field = "pointing_zero.after.horizontal"},
-         ZeroMoved{arc.axisDeg, arc.repeat, horizontal, vertical, sigmaHorizontal, sigmaVertical,
-                   measurement.zeroScatter}});
+         Place{.position = arc.position, .reading = {}, .field = "pointing_zero.after.horizontal"}, moved});
   }
 }
 

@@ -94,7 +94,7 @@ std::vector<CauseParameter> Component::parameters(const GapModel&) const {
 
 CauseParameter estimatedParameter(const GapModel& after, std::string_view name, ErrorTerm term,
                                   std::string_view unit) {
-  const std::size_t i = after.fit->indexOf({.kind = Unknown::Kind::Error, .arc = 0, .term = term});
+  const std::size_t i = after.fit->indexOf(term);
   const double factor = modelUnitsPer(unit);
   return {std::string(name), after.fit->values[i] / factor, std::sqrt(after.fit->cofactor(i, i)) / factor,
           std::string(unit)};

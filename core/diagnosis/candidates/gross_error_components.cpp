@@ -2,7 +2,9 @@
 
 #include <cmath>
 
+#include "core/adjustment/joint/sighted_zeros.h"
 #include "core/effects/cause_ids.h"
+#include "core/session/zero_mean.h"
 
 namespace alidade {
 
@@ -34,11 +36,18 @@ void GrossErrorComponent::addTo(JointFitOptions& model, const Leftover& leftover
   model.without.push_back(readingRef(leftover, m_reading));
 }
 
-std::vector<GrossErrorComponent> grossErrorComponents(const Leftover& leftover) {
+std::vector<GrossErrorComponent> grossErrorComponents(const Leftover& leftover,
+                                                      const Measurement& measurement) {
+  const auto isSought = [&](const LinearReading& reading) {
+    if (!reading.isZero) return true;
+    if (reading.arc >= measurement.arcs.size()) return false;
+    return isCheckedZero(measurement, reading.arc,
+                         indexOfZero(measurement.arcs[reading.arc], reading.sighting));
+  };
   std::vector<GrossErrorComponent> components;
   components.reserve(static_cast<std::size_t>(leftover.readings()));
   for (Index i = 0; i < leftover.readings(); ++i)
-    components.emplace_back(i, leftover.reading(i).isZero ? 0 : leftover.redundancy(i));
+    components.emplace_back(i, isSought(leftover.reading(i)) ? leftover.redundancy(i) : 0);
   return components;
 }
 

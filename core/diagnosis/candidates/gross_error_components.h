@@ -38,7 +38,9 @@ class GrossErrorComponent final : public Component {
 const std::vector<Width>& grossErrorWidths();
 
 /// Returns one component for every reading, in order. The component of a zero's reading has redundancy 0 and
-/// is never chosen: a misread zero acts as a jump of its position.
-std::vector<GrossErrorComponent> grossErrorComponents(const Leftover& leftover);
+/// is never chosen, unless its face was sighted again (`isCheckedZero` of `measurement`): a misread zero that
+/// was sighted once acts as a jump of its position.
+std::vector<GrossErrorComponent> grossErrorComponents(const Leftover& leftover,
+                                                      const Measurement& measurement = {});
 
 }  // namespace alidade

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <utility>
 
 #include "core/base/statistics.h"
@@ -72,6 +73,25 @@ GapModel measuredModel(const Inquiry& inquiry, const Explanation& explanation, c
   if (!closed.options.isClosed || !std::ranges::all_of(explanation.parts, isReading)) return closed;
   if (explanation.parts.empty() && !explanation.noisy) return inquiry.expected;
   return alidade::modelWith(inquiry.expected, explanation, inquiry.candidates, inquiry.leftover);
+}
+
+/// Drops effects beside a bent one that the nonlinear fit hardly needs: the equations of the search have the
+/// second order of a large plane tilt, and put its third into other effects.
+Explanation withoutIdleEffects(const Inquiry& inquiry, Explanation found) {
+  constexpr double least = 9;  // increase of χ² without a needed effect
+  const auto isBent = [&](const Part& part) { return inquiry.of(part).response() == Response::Bent; };
+  if (found.noisy || std::ranges::none_of(found.parts, isBent)) return found;
+  double left = modelWith(inquiry, found).fit->chiSquare;
+  for (std::size_t p = found.parts.size(); p-- > 0;) {
+    if (isBent(found.parts[p]) || !inquiry.of(found.parts[p]).isEffect()) continue;
+    Explanation fewer = found;
+    fewer.parts.erase(fewer.parts.begin() + static_cast<std::ptrdiff_t>(p));
+    const double without = modelWith(inquiry, fewer).fit->chiSquare;
+    if (without - left > least) continue;
+    found = std::move(fewer);
+    left = without;
+  }
+  return found;
 }
 
 Answer nothingIn(const Inquiry& inquiry) {
@@ -165,7 +185,7 @@ Answer likeliestAnswer(const Inquiry& inquiry) {
   const Explanation* const shaped = likeliest(inquiry, &Explanation::shaped);
   if (shaped && unknown > known && unknown > nothing) return beyondCatalogue(inquiry, *shaped);
   if (!best || nothing >= known) return nothingIn(inquiry);
-  Answer answer = knownAs(inquiry, *best);
+  Answer answer = knownAs(inquiry, withoutIdleEffects(inquiry, *best));
   // Many causes may share the probability although none of them is likelier than the alternative.
   if (!isLikelier(inquiry, answer, std::max(nothing, unknown)))
     return !shaped || nothing >= unknown ? nothingIn(inquiry) : beyondCatalogue(inquiry, *shaped);
@@ -218,7 +238,7 @@ std::vector<GapStep> stepsOf(const Inquiry& inquiry, const Answer& answer) {
   if (isAnythingKnown(*inquiry.base.measurement)) add(knownId, inquiry.expected, inquiry.expected);
   for (const Part& part : whole.parts)
     if (inquiry.of(part).grossErrorAt()) soFar.parts.push_back(part);
-  if (!soFar.parts.empty() || !inquiry.largeGrossErrors.empty()) note(grossErrorId);
+  if (!soFar.parts.empty() || !inquiry.excluded.empty()) note(grossErrorId);
   for (const Part& part : whole.parts) {
     if (inquiry.of(part).grossErrorAt()) continue;
     soFar.parts.push_back(part);

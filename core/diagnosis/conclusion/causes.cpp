@@ -44,10 +44,7 @@ DiagnosisVerdict verdictOf(const Answer& answer, const std::vector<Cause>& cause
 std::vector<Cause> causesOf(const Inquiry& inquiry, const Answer& answer) {
   std::vector<Cause> causes;
   std::vector<ReadingDeviation> grossErrors;
-  const Measurement& measurement = *inquiry.base.measurement;
-  for (const LargeGrossError& far : inquiry.largeGrossErrors)
-    grossErrors.push_back(deviationAt(measurement, far.reading,
-                                      far.sigmas * statedSigma(measurement, far.reading.kind).arcseconds()));
+  for (const ExcludedReading& far : inquiry.excluded) grossErrors.push_back(far.deviation);
   bool likeJump = false;
   const Explanation& explanation = answer.explanation;
   for (std::size_t p = 0; p < explanation.parts.size(); ++p) {
@@ -70,7 +67,7 @@ std::vector<Cause> causesOf(const Inquiry& inquiry, const Answer& answer) {
   }
   if (!grossErrors.empty()) {
     Cause cause = named(inquiry, grossErrorId);
-    if (!inquiry.largeGrossErrors.empty()) cause.probability = 1;
+    if (!inquiry.excluded.empty()) cause.probability = 1;
     // A jump may look like one gross error, never like several.
     if (likeJump && grossErrors.size() == 1) cause.indistinguishableFrom = {jumpId};
     cause.readings = withLikelierCircles(answer.after, std::move(grossErrors));

@@ -79,7 +79,9 @@ std::vector<ReadingDeviation> withLikelierCircles(const GapModel& model,
   JointFitOptions options = model.options;
   for (std::size_t i = 0; i < grossErrors.size(); ++i) {
     const std::optional<Located> at = locate(measurement, grossErrors[i]);
-    if (!at || grossErrors[i].kind == ReadingKind::Slider || !isAlone(measurement, *at)) continue;
+    if (!at || grossErrors[i].isZero || grossErrors[i].kind == ReadingKind::Slider ||
+        !isAlone(measurement, *at))
+      continue;
     open.push_back(i);
     for (const ReadingKind kind : {ReadingKind::Horizontal, ReadingKind::Vertical})
       options.without.push_back({at->arc, at->sighting, kind});

@@ -14,7 +14,7 @@ namespace alidade {
 namespace {
 
 void fillSeen(KnownCheck& check, const EstimatedTerm& term, const JointFit& fit, double unit) {
-  const std::size_t i = fit.indexOf({.kind = Unknown::Kind::Error, .arc = 0, .term = term.term});
+  const std::size_t i = fit.indexOf(term.term);
   const double variance = fit.cofactor(i, i), ofKnown = variance / square(term.priorSigma);
   if (!(ofKnown < thresholds.ofPriorOnly)) return;
   check.isSeen = true;

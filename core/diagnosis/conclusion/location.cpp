@@ -176,11 +176,11 @@ std::vector<GapShare> sharesOfFrames(const Inquiry& inquiry) {
   std::map<ErrorSource, double> ofSource;
   double& readings = ofSource[ErrorSource::Reading];
   double noise = 0;
-  // The redundancies are those of all readings, including readings with large gross errors.
+  // The redundancies are those of all readings, including excluded ones.
   const auto square = [&](Index reading, double sigmas) {
     return sigmas * sigmas * inquiry.ofAll().leftover.redundancy(reading);
   };
-  for (const LargeGrossError& far : inquiry.largeGrossErrors)
+  for (const ExcludedReading& far : inquiry.excluded)
     readings += square(indexOf(inquiry.ofAll().leftover, far.reading), far.sigmas);
   for (const Explanation& explanation : inquiry.explanations) {
     const double chance = explanation.chance;

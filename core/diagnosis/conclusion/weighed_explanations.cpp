@@ -42,9 +42,7 @@ std::vector<EstimatedTerm> allOrNothingTerms(const GapModel& at) {
 /// The leftover of the base's equations, linearised at the fit `at`. The contribution of the effects in `at`
 /// is added back to the residuals.
 Leftover leftoverAt(const GapModel& base, const GapModel& at, const std::vector<EstimatedTerm>& effects) {
-  const auto indexIn = [](const JointFit& fit, ErrorTerm term) {
-    return fit.indexOf({.kind = Unknown::Kind::Error, .arc = 0, .term = term});
-  };
+  const auto indexIn = [](const JointFit& fit, ErrorTerm term) { return fit.indexOf(term); };
   JointFit fit = *at.fit;
   JointFitOptions options = base.options;
   for (const EstimatedTerm& term : allOrNothingTerms(at))
@@ -171,10 +169,24 @@ const WeighedExplanations::Columns& WeighedExplanations::columnsOf(const Part& p
 }
 
 std::optional<WeighedExplanations::System> WeighedExplanations::systemOf(const Explanation& explanation) {
+  constexpr int mostRounds = 4;
+  constexpr double settled = 0.02;  // change of ln noise
+  double noise = explanation.noisy ? explanation.noise : 1;
+  std::optional<System> system = systemOf(explanation, noise);
+  for (int round = 0; explanation.noisy && system && round < mostRounds; ++round) {
+    const double left = weighedAt(*system, {}).noise;
+    if (std::abs(std::log(left / noise)) < settled) break;
+    noise = left;
+    system = systemOf(explanation, noise);
+  }
+  return system;
+}
+
+std::optional<WeighedExplanations::System> WeighedExplanations::systemOf(const Explanation& explanation,
+                                                                         double noise) {
   const auto effects = static_cast<Index>(m_terms.size());
-  System system{.explanation = &explanation,
-                .leastWidths = VectorXd::Zero(effects),
-                .ofNoise = explanation.noisy ? square(explanation.noise) : 1};
+  System system{
+      .explanation = &explanation, .leastWidths = VectorXd::Zero(effects), .ofNoise = square(noise)};
   std::vector<double> narrow;
   std::size_t matched = 0;
   const auto isInFit = [&](const Component& component) {
@@ -270,16 +282,19 @@ WeighedExplanation WeighedExplanations::weighedAt(const System& system, const Ef
   const double chiSquare = leftover().chiSquare() - quadratic;
   const int degreesOfFreedom = leftover().degreesOfFreedom();
   const double noise = noiseScale(chiSquare / v, degreesOfFreedom - system.leftOut).factor;
+  const NoiseEvidence ofNoise =
+      evidenceOfNoise(system.explanation->noisy, chiSquare, degreesOfFreedom, std::sqrt(v));
   const double ofReadings = v * m_ofReadings + std::max(all - ofWidths, 0.0);
   return {scales,
           system.logScale - factor.matrixLLT().diagonal().array().max(1e-150).log().sum() -
               widths.array().log().sum() + static_cast<double>(widths.size()) * std::log(v) / 2 +
-              quadratic / v / 2 - leftover().chiSquare() / v / 2 +
-              logEvidenceOfNoise(*system.explanation, chiSquare, degreesOfFreedom),
+              quadratic / v / 2 - leftover().chiSquare() / v / 2 - degreesOfFreedom * std::log(v) / 2 +
+              ofNoise.log,
           m_start + system.shift - system.effectsInfluence.dot(weights),
           square(noise) * ofReadings + ofWidths,
           all,
-          std::vector<double>(ofEffects.begin(), ofEffects.end())};
+          std::vector<double>(ofEffects.begin(), ofEffects.end()),
+          ofNoise.likeliest};
 }
 
 std::vector<WeighedExplanation> WeighedExplanations::of(const Explanation& explanation) {
@@ -287,7 +302,11 @@ std::vector<WeighedExplanation> WeighedExplanations::of(const Explanation& expla
   const std::optional<System> there = m_at ? m_at->systemOf(explanation) : std::nullopt;
   if (!system && !there) return {};
   // The search found the posterior odds without effects: the evidence with effects replaces `alone`.
-  const double alone = (system ? weighedAt(*system, noEffect) : m_at->weighedAt(*there, noEffect)).logOdds;
+  WeighedExplanations& own = system ? *this : *m_at;
+  const std::optional<System> found = explanation.noisy ? own.systemOf(explanation, explanation.noise)
+                                      : system          ? system
+                                                        : there;
+  const double alone = own.weighedAt(*found, noEffect).logOdds;
   // Uses the linearisation that makes the explanation likelier, with effects of plausible size.
   const bool isThere =
       there && (!system || m_at->weighedAt(*there, {}).logOdds > weighedAt(*system, {}).logOdds);

@@ -17,7 +17,8 @@ namespace alidade {
 // With V the visible columns of effects, causes and patterns, W the widths of their weights, v the variance
 // of the readings and r the leftover, the weights are w = (VᵀV + v W⁻²)⁻¹ Vᵀ r. They change Δd by −bᵀ w,
 // where b is the change of the fit's Δd by the whole columns. The evidence is
-// |1 + W VᵀV W/v|^(−1/2) exp(½ rᵀV w/v) times that of the noise.
+// |1 + W VᵀV W/v|^(−1/2) exp(½ rᵀV w/v) times that of the noise. If the noise is larger than stated, v is
+// that which effects and explanation leave: effects freed by too large a v would cost no evidence.
 //
 // Source: MacKay, "Bayesian interpolation", Neural Computation 4 (1992); elimination of the explanation's own
 // columns by the Schur complement.
@@ -31,6 +32,7 @@ struct WeighedExplanation {
   /// The part of the variance due to the weights of explanation and effects, at the noise of the explanation.
   double ofWeights = 0;
   std::vector<double> ofEffects = {};  ///< part of the variance due to the prior of each term, mm²
+  double noise = 1;                    ///< likeliest scale of the noise beside the effects
 };
 
 class WeighedExplanations {
@@ -82,7 +84,10 @@ class WeighedExplanations {
   Eigen::MatrixXd gramOfColumns() const;
   Eigen::MatrixXd gramOfMany() const;
   const Columns& columnsOf(const Part& part);
+  /// At the noise that the explanation has beside effects of plausible size: the search found it without
+  /// them.
   std::optional<System> systemOf(const Explanation& explanation);
+  std::optional<System> systemOf(const Explanation& explanation, double noise);
   /// `WeighedExplanation::logOdds` of the result is the logarithm of the evidence alone.
   WeighedExplanation weighedAt(const System& system, const EffectScales& scales) const;
   /// Prior widths (1σ) of the effects' weights, in plausible sizes.

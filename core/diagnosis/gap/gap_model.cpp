@@ -88,11 +88,14 @@ GapModel openedModelOf(const GapModel& closed, const GapModel& own) {
   for (EstimatedTerm& term : opened.options.terms) {
     if (std::ranges::find(own.options.terms, term.term, &EstimatedTerm::term) != own.options.terms.end())
       continue;
-    const std::size_t index =
-        closed.fit->indexOf({.kind = Unknown::Kind::Error, .arc = 0, .term = term.term});
+    const std::size_t index = closed.fit->indexOf(term.term);
     const double value = closed.fit->values[index];
     term = {term.term, term.priorSigma * held, value, value};
   }
+  // Without the closure, the sightings of zeros are no observations.
+  std::erase_if(opened.options.without, [&](const ReadingRef& reading) {
+    return reading.sighting >= own.measurement->arcs[reading.arc].sightings.size();
+  });
   opened.refit();
   return opened;
 }

@@ -64,6 +64,19 @@ ArcMeasurement arcAfterTurn(const Measurement& measurement, const ArcMeasurement
   return turned;
 }
 
+/// `next` with its minutes after `last`; the axis angle is still to be set.
+NextSighting costed(const Sighting& next, const Sighting& last, bool turns, const SightingMinutes& minutes) {
+  const SightingMoves moves{.turnsAxis = turns,
+                            .sightsZero = turns,
+                            .plungesTelescope = next.face != last.face,
+                            .drivesSlider = turns || next.point != last.point};
+  return {.point = next.point,
+          .face = next.face,
+          .round = next.round,
+          .turnsAxis = turns,
+          .minutes = minutesOf(minutes, moves)};
+}
+
 /// The last sighting taken at `point`; null if there is none. The slider may have deviated from the plan.
 const Sighting* takenAt(const ArcMeasurement& arc, std::size_t taken, int point) {
   for (std::size_t k = taken; k-- > 0;)
@@ -99,18 +112,8 @@ PossibleSightings possibleSightings(const Measurement& taken, const SightingPlan
     next.face = face;
     next.round = turns ? 1 : roundOf(taken.arcs[current], last, place.point, face);
     if (plan.readsSlider) next.slider = place.s;
-    const double minutes = minutesOf(plan.minutes, {.turnsAxis = turns,
-                                                    .sightsZero = turns,
-                                                    .plungesTelescope = face != last.face,
-                                                    .drivesSlider = turns || place.point != last.point});
-    session.possible.push_back({index,
-                                arc.sightings.size(),
-                                {.axisDeg = arc.axisDeg,
-                                 .point = place.point,
-                                 .face = face,
-                                 .round = next.round,
-                                 .turnsAxis = turns,
-                                 .minutes = minutes}});
+    session.possible.push_back({index, arc.sightings.size(), costed(next, last, turns, plan.minutes)});
+    session.possible.back().next.axisDeg = arc.axisDeg;
     arc.sightings.push_back(next);
   };
   for (const std::size_t arc : {current, session.newArc})

@@ -28,7 +28,7 @@ double arcAngle(const GapModel& model, std::size_t arc, std::size_t sighting) {
 double plannedSize(const GapModel& model, ErrorTerm term) {
   const Effect* effect = effectOf(term, *model.measurement);  // null for the term of a jump
   if (!effect || effect->response != Response::Bent) return 0;
-  return model.fit->values[model.fit->indexOf({.kind = Unknown::Kind::Error, .arc = 0, .term = term})];
+  return model.fit->values[model.fit->indexOf(term)];
 }
 
 /// Gives the sightings of a plan their readings: free of error, at places on the fitted circles, which the

@@ -81,6 +81,11 @@ bool isMisclosed(const Diagnosis& diagnosis) {
   return std::ranges::any_of(diagnosis.closures, &ClosureStep::isOpen);
 }
 
+const char* distributionOf(const IntersectionEstimate& estimate) {
+  if (estimate.explanations.size() > 1) return "mixture of Student's t";
+  return std::isfinite(estimate.degreesOfFreedom) ? "Student's t" : "normal";
+}
+
 IntersectionEstimate estimateOf(const Intersection& intersection) {
   return {intersection.value,
           intersection.sigma,

@@ -56,6 +56,7 @@ struct ReadingDeviation {
   int axisDeg = 0, round = 1, point = 0, face = 1;
   int repeat = 1;  ///< as `ArcMeasurement::repeat`
   ReadingKind kind = ReadingKind::Horizontal;
+  bool isZero = false, isAfter = false;  ///< of a pointing zero, as `SightedZero::isAfter`; not of a row
   /// Arcseconds. In a cause: the error of the reading, with the sign of its circle. In `Diagnosis::readings`:
   /// the residual (`AdjustedReading::residual`).
   double size = 0;
@@ -105,6 +106,10 @@ struct IntersectionEstimate {
   std::vector<NormalPart> explanations = {};
   double degreesOfFreedom = 0;  ///< effective degrees of freedom of the explanations; may be infinite
 };
+
+/// The name of the distribution: "normal", "Student's t", or "mixture of Student's t" of several
+/// explanations.
+const char* distributionOf(const IntersectionEstimate& estimate);
 
 /// Returns the estimate of the session's own model.
 IntersectionEstimate estimateOf(const Intersection& intersection);

@@ -165,10 +165,11 @@ std::vector<Explanation> explain(const Leftover& leftover, const Candidates& can
   return all;
 }
 
-double logEvidenceOfNoise(const Explanation& explanation, double chiSquare, double degreesOfFreedom) {
-  double likeliest = 1;
-  if (!explanation.noisy) return nominalScales().logIntegral(chiSquare, degreesOfFreedom, 1, likeliest);
-  return largerScales().logIntegral(chiSquare, degreesOfFreedom, explanation.noise, likeliest);
+NoiseEvidence evidenceOfNoise(bool isLarger, double chiSquare, double degreesOfFreedom, double reference) {
+  const NoiseScales& scales = isLarger ? largerScales() : nominalScales();
+  NoiseEvidence evidence;
+  evidence.log = scales.logIntegral(chiSquare, degreesOfFreedom, reference, evidence.likeliest);
+  return evidence;
 }
 
 Part fitAlone(const SharedProducts& residual, const Component& component, std::size_t index) {

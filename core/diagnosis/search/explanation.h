@@ -57,10 +57,13 @@ struct SearchOptions {
 std::vector<Explanation> explain(const Leftover& leftover, const Candidates& candidates,
                                  const SearchOptions& options = {});
 
-/// Returns the natural logarithm of the evidence integrated over the noise. The evidence is relative to that
-/// at the most likely noise of the explanation, or at the stated noise if `noisy` is false. `chiSquare`
-/// (stated σ) is what the explanation leaves, with these degrees of freedom.
-double logEvidenceOfNoise(const Explanation& explanation, double chiSquare, double degreesOfFreedom);
+/// The natural logarithm of the evidence integrated over the scale of the noise, larger than stated or about
+/// the stated one, relative to the evidence at the scale `reference`; and the likeliest scale.
+struct NoiseEvidence {
+  double log = 0, likeliest = 1;
+};
+/// `chiSquare` (stated σ) is what an explanation leaves, with these degrees of freedom.
+NoiseEvidence evidenceOfNoise(bool isLarger, double chiSquare, double degreesOfFreedom, double reference);
 
 /// Fits one component alone with the stated noise: its evidence without prior, and its weights. `residual` is
 /// the leftover; `index` is the index of the component.

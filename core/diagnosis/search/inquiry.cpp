@@ -2,7 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
+#include <memory>
 #include <optional>
+#include <set>
+#include <utility>
 
 #include "core/adjustment/gross_errors/gross_error_search.h"
 #include "core/adjustment/joint/sighted_zeros.h"
@@ -18,6 +22,7 @@
 #include "core/effects/cause_ids.h"
 #include "core/effects/known_sizes.h"
 #include "core/observation/half_turn.h"
+#include "core/session/zero_mean.h"
 
 namespace alidade {
 
@@ -71,7 +76,7 @@ Candidates candidatesFor(const GapModel& base, const Leftover& leftover, const D
   }
   addSharing(odds.shape, shapeComponents(leftover, *base.measurement, *base.fit, options.without));
   if (considered(options, grossErrorId))
-    addSharing(odds.grossError, grossErrorComponents(leftover), {.offered = 4});
+    addSharing(odds.grossError, grossErrorComponents(leftover, *base.measurement), {.offered = 4});
   return candidates;
 }
 
@@ -210,21 +215,52 @@ Inquiry inquireOnce(GapModel own, const DiagnosisOptions& options, const std::st
   return inquireOnce(std::move(withPause), options, stop);
 }
 
-/// Returns gross errors so large that they spoil the fit at which the equations were linearised.
-std::vector<LargeGrossError> largeGrossErrorsOf(const Inquiry& inquiry) {
+/// Returns gross errors so large that they spoil the fit at which the equations were linearised, and certain
+/// ones in sightings of zeros.
+std::vector<ExcludedReading> toExclude(const Inquiry& inquiry) {
   constexpr double largeSigma = 300;
-  std::vector<LargeGrossError> found;
+  const auto isCertain = [&](const Part& part) {
+    return inquiry.chanceOf([&](const Explanation& other) { return other.has(part.component); }) >=
+           thresholds.certain;
+  };
+  std::vector<ExcludedReading> found;
   for (const Part& part : inquiry.explanations.front().parts)
     if (const auto reading = inquiry.of(part).grossErrorAt();
-        reading && std::abs(part.weights[0]) > largeSigma)
-      found.push_back({readingRef(inquiry.leftover, *reading), part.weights[0]});
+        reading && (inquiry.leftover.reading(*reading).isZero ? isCertain(part)
+                                                              : std::abs(part.weights[0]) > largeSigma))
+      found.push_back({readingRef(inquiry.leftover, *reading), part.weights[0],
+                       deviationAt(inquiry, *reading, part.weights[0])});
   return found;
+}
+
+/// Takes readings out of the session's model. A zero is then the mean of its other sightings.
+void exclude(GapModel& own, const Inquiry& inquiry, const std::vector<ExcludedReading>& found) {
+  std::set<std::pair<std::size_t, std::size_t>, std::greater<>> zeros;  // arc and sighting, the last first
+  for (const ExcludedReading& far : found)
+    if (far.deviation.isZero)
+      zeros.emplace(far.reading.arc, far.reading.sighting);
+    else
+      own.options.without.push_back(far.reading);
+  for (const auto& [arc, sighting] : zeros)
+    own.measurement = std::make_shared<const Measurement>(withoutZeroSighting(
+        *own.measurement, arc, indexOfZero(inquiry.base.measurement->arcs[arc], sighting)));
+  own.refit();
+}
+
+/// The reading as `Inquiry::ofAll` numbers it: with the sightings of zeros that were excluded before.
+ReadingRef inAll(ReadingRef reading, const std::vector<ExcludedReading>& before) {
+  const bool isPassed = std::ranges::any_of(before, [&](const ExcludedReading& other) {
+    return other.deviation.isZero && other.reading.arc == reading.arc &&
+           other.reading.sighting <= reading.sighting;
+  });
+  if (isPassed) ++reading.sighting;  // two excluded sightings of a zero differ in their face
+  return reading;
 }
 
 /// Returns one or two readings without which all other readings agree a hundred times better. An error of
 /// many degrees spoils the whole fit, and the usual search close to this fit misses the error. The search
 /// here begins with a majority of the rows; the model then starts from the circles that it found.
-std::vector<LargeGrossError> farOff(GapModel& own, const std::stop_token& stop) {
+std::vector<ExcludedReading> farOff(GapModel& own, const std::stop_token& stop) {
   constexpr double better = 100;
   constexpr std::size_t most = 2;
   const Measurement& measurement = *own.measurement;
@@ -235,9 +271,10 @@ std::vector<LargeGrossError> farOff(GapModel& own, const std::stop_token& stop) 
   if (search.grossErrors.size() > most || search.degreesOfFreedom < 1 || search.noiseFactor > noise / better)
     return {};
   for (std::size_t i = 0; i < own.starts.size(); ++i) own.starts[i] = search.fit.circleOf(i);
-  std::vector<LargeGrossError> found;
+  std::vector<ExcludedReading> found;
   for (const GrossError& error : search.grossErrors) {
-    found.push_back({error.cell, error.size.radians() / statedSigma(measurement, error.cell.kind).radians()});
+    found.push_back({error.cell, error.size.radians() / statedSigma(measurement, error.cell.kind).radians(),
+                     deviationAt(measurement, error.cell, error.size.arcseconds())});
     own.options.without.insert(own.options.without.end(), error.rivals.begin(), error.rivals.end());
   }
   return found;
@@ -265,20 +302,20 @@ Inquiry inquire(GapModel model, const DiagnosisOptions& options, const std::stop
   std::shared_ptr<const Inquiry> first;
   for (int round = 0; round < mostRounds; ++round) {
     GapModel next = inquiry.own;
-    std::vector<LargeGrossError> found;
+    std::vector<ExcludedReading> found;
     if (round == 0) found = farOff(next, stop);
-    if (found.empty()) found = largeGrossErrorsOf(inquiry);
+    if (found.empty()) found = toExclude(inquiry);
     if (found.empty() || stop.stop_requested()) break;
-    std::vector<LargeGrossError> all = inquiry.largeGrossErrors;
-    for (const LargeGrossError& far : found) {
-      all.push_back(far);
-      next.options.without.push_back(far.reading);
-    }
-    next.refit();
+    exclude(next, inquiry, found);
     if (!next.fit->isDetermined()) break;
+    std::vector<ExcludedReading> all = inquiry.excluded;
+    for (ExcludedReading& far : found) {
+      far.reading = inAll(far.reading, inquiry.excluded);
+      all.push_back(std::move(far));
+    }
     if (!first) first = std::make_shared<const Inquiry>(std::move(inquiry));
     inquiry = inquireOnce(std::move(next), options, stop);
-    inquiry.largeGrossErrors = std::move(all);
+    inquiry.excluded = std::move(all);
     inquiry.before = first;
   }
   return inquiry;
@@ -300,13 +337,15 @@ ReadingDeviation deviationAt(const Measurement& measurement, const ReadingRef& r
           .face = sighting.face,
           .repeat = arc.repeat,
           .kind = ref.kind,
+          .isZero = sighting.isZero,
+          .isAfter = sighting.isZero && arc.zeroSightings[indexOfZero(arc, ref.sighting)].isAfter,
           .size = size};
 }
 
 ReadingDeviation deviationAt(const Inquiry& inquiry, Eigen::Index reading, double sigmas) {
   const ReadingRef ref = readingRef(inquiry.leftover, reading);
-  return deviationAt(*inquiry.base.measurement, ref,
-                     sigmas * statedSigma(*inquiry.base.measurement, ref.kind).arcseconds());
+  const Angle sigma = Angle::fromRadians(inquiry.leftover.reading(reading).sigma);
+  return deviationAt(*inquiry.base.measurement, ref, sigmas * sigma.arcseconds());
 }
 
 }  // namespace alidade

@@ -15,10 +15,12 @@ namespace alidade {
 
 // The search for an explanation of a gap.
 
-/// A reading excluded before the search, because its error is too large for linear equations.
-struct LargeGrossError {
-  ReadingRef reading;
-  double sigmas = 0;  ///< its error, in stated σ
+/// A reading excluded before the search: its error is too large for linear equations, or it is of a sighting
+/// of a zero, which is the mean of the others then.
+struct ExcludedReading {
+  ReadingRef reading;  ///< in `Inquiry::ofAll`
+  double sigmas = 0;   ///< its error, in stated σ
+  ReadingDeviation deviation;
 };
 
 /// The start model, its leftover, and the explanations found.
@@ -28,9 +30,9 @@ struct Inquiry {
   GapModel base;      ///< `expected` with closures, if possible
   Leftover leftover;
   Candidates candidates;
-  std::vector<Explanation> explanations;          ///< the most likely first
-  std::vector<LargeGrossError> largeGrossErrors;  ///< excluded from `base`
-  std::shared_ptr<const Inquiry> before;  ///< the inquiry with all readings; null without large gross errors
+  std::vector<Explanation> explanations;  ///< the most likely first
+  std::vector<ExcludedReading> excluded;  ///< not in `base`
+  std::shared_ptr<const Inquiry> before;  ///< the inquiry with all readings; null if none is excluded
 
   /// The inquiry of all readings.
   const Inquiry& ofAll() const { return before ? *before : *this; }

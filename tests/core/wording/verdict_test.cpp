@@ -114,7 +114,7 @@ TEST(VerdictSentence, NamesWhatItIsAbout) {
       HasSubstr(
           "The arc's centre is 2.39 mm ± 0.20 mm (95 % coverage) from the axis, all effects considered: "
           "1.30 mm ± 0.20 mm in the plane of the arc (Δd), −2.00 mm ± 0.20 mm perpendicular to it (Δz). The "
-          "interval is within the tolerance of ± 2.6 mm."));
+          "interval is within the tolerance of 2.6 mm."));
   measurement.measurand = Measurand::Intersection;
   EXPECT_THAT(sentenceOf(measurement, fit, &diagnosis),
               HasSubstr("The verdict covers only the plane of the arc; perpendicular to it, the arc's centre "

@@ -6,6 +6,7 @@
 #include <QFile>
 #include <QProcess>
 
+#include "core/base/file_bytes.h"
 #include "core/session/session_file.h"
 #include "tests/ui/language/speaking.h"
 #include "tests/ui/report/printed.h"
@@ -99,7 +100,8 @@ TEST(ReportResults, HoldTheSuspectsThatTheConsoleFinds) {
   const Session session = *loadSession(path.toStdString());
   const Gap gap = assessGap(std::make_shared<const Evaluation>(evaluateFit(session)));
   ASSERT_FALSE(gap.evaluation->isSearched);
-  EXPECT_EQ(QString::fromStdString(*resultsJson(gap, session.title)), printedByConsole(path));
+  const std::string file = *readFile(path.toStdString());
+  EXPECT_EQ(QString::fromStdString(*resultsJson(gap, session.title, file)), printedByConsole(path));
 }
 
 }  // namespace

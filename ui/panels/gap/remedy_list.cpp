@@ -5,6 +5,7 @@
 #include <QPushButton>
 
 #include "core/effects/cause_ids.h"
+#include "core/session/protocol_progress.h"
 #include "core/wording/diagnosis_sentence.h"
 #include "ui/panels/parts/figure_grid.h"
 #include "ui/text/accessible_place.h"
@@ -43,6 +44,15 @@ QString jumpText(const Session& session, const Jump& jump) {
                       " Or leave out the rows after the jump, if the pointing zero of the next position was "
                       "sighted after the jump.");
   return text;
+}
+
+Place placeOf(const ReadingDeviation& reading) {
+  const std::string circle(nameOf(reading.kind));
+  if (!reading.isZero) return {.position = reading.position, .reading = reading.row, .field = circle};
+  PlannedSighting zero;
+  zero.isAfter = reading.isAfter;
+  zero.face = reading.face;
+  return {.position = reading.position, .reading = {}, .field = zeroField(zero) + "." + circle};
 }
 
 }  // namespace
@@ -110,10 +120,14 @@ void RemedyList::addGrossErrors(const Cause& cause) {
     m_buttons = nullptr;
     //: a reading and its error: 0°, point 11, horizontal: off by +29.0″
     addText(tr("%1: off by %2").arg(qText(readingName(reading)), qText(secondsWithSign(reading.size))));
-    const Place place{
-        .position = reading.position, .reading = reading.row, .field = std::string(nameOf(reading.kind))};
+    const Place place = placeOf(reading);
     connect(addButton(tr("Go to the reading"), QStringLiteral("go to reading")), &QPushButton::clicked, this,
             [this, place] { emit placeActivated(place); });
+    if (reading.isZero) {
+      addText(
+          tr("Correct this sighting of the pointing zero, or clear it: the zero is the mean of the others."));
+      continue;
+    }
     QPushButton* exclude = addButton(tr("Exclude the row"), QStringLiteral("exclude row"));
     exclude->setToolTip(tr("Excludes the row from the fit; its entries are kept"));
     connect(exclude, &QPushButton::clicked, this, [this, place] { emit exclusionWanted(place); });

@@ -171,6 +171,8 @@ TEST(JointFit, RedundanciesAddUpToTheDegreesOfFreedom) {
     double sum = 0;
     for (const AdjustedReading& reading : fit.readings) sum += reading.redundancy;
     EXPECT_NEAR(sum, fit.degreesOfFreedom, 1e-6) << protocol;
+    for (const ArcResidualSum& arc : fit.residualSums) sum -= arc.degreesOfFreedom;
+    EXPECT_NEAR(sum, 0, 1e-6) << protocol;
   }
 }
 

@@ -115,6 +115,28 @@ TEST(RepeatedPositions, AreAsUncertainAsStated) {
   EXPECT_NEAR(sum / sessions, 1, 4 * std::sqrt(2.0 / sessions) + 0.1);  // σ itself is estimated
 }
 
+// Arcs that share a centre share the redundancy: over 400 noisy sessions χ² of each arc is on average its
+// redundancy, within four times √(2/f) of all sessions. One place more or less is ten times that.
+TEST(RepeatedPositions, GiveEachArcItsShareOfTheRedundancy) {
+  std::mt19937_64 generator(11);
+  std::normal_distribution<double> normal;
+  double chiSquare[3] = {}, redundancy[3] = {};
+  for (int i = 0; i < 400; ++i) {
+    Measurement measurement = measuredAgain(4 + i % 3);
+    for (ArcMeasurement& arc : measurement.arcs) {
+      turn(arc, 2 * normal(generator), 2 * normal(generator));
+      test::addNoise(arc, measurement, generator);
+    }
+    const JointFit fit = fitSession(measurement).joint;
+    for (const std::size_t arc : {0, 1, 2}) {
+      chiSquare[arc] += fit.residualSums[arc].chiSquare;
+      redundancy[arc] += fit.residualSums[arc].degreesOfFreedom;
+    }
+  }
+  for (const std::size_t arc : {0, 1, 2})
+    EXPECT_NEAR(chiSquare[arc] / redundancy[arc], 1, 4 * std::sqrt(2 / redundancy[arc])) << arc;
+}
+
 // `isApart` fits each position as if alone, with the fast adjustment and the general one.
 TEST(RepeatedPositions, CanBeFittedApart) {
   Measurement measurement = measuredAgain();

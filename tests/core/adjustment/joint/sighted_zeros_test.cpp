@@ -56,6 +56,19 @@ TEST(SightedZeros, AreInDoubtFromThirtySecondsOnUntilItIsStated) {
   EXPECT_FALSE(areZerosInDoubt(measurement));
 }
 
+// A horizontal circle may be set anew; a vertical one counts from the plumb line. So one degree between the
+// vertical zeros of one mark is a misreading, however large.
+TEST(SightedZeros, AreNeverOfAVerticalCircleThatWasSetAnew) {
+  for (const double degrees : {1.01, 10.0}) {
+    Measurement measurement = readWith({});
+    measurement.arcs[1].zeroElevation = measurement.arcs[1].zeroElevation + Angle::fromDegrees(degrees);
+    EXPECT_EQ(commonZeros(measurement), (CommonZeros{true, true}));
+    EXPECT_TRUE(areZerosInDoubt(measurement));
+    measurement.zeroIs = ZeroIs::Mark;
+    EXPECT_EQ(commonZeros(measurement), (CommonZeros{true, true}));
+  }
+}
+
 // Zeros that are identical to the last digit may be a single sighting with a common error.
 TEST(SightedZeros, WrittenAlikeSayNothingOfTheTimeBetween) {
   Measurement measurement = readWith({});

@@ -76,5 +76,32 @@ TEST(SessionFindings, KnownRadiusIsHeldAgainstWhatTheReadingsSay) {
   }
 }
 
+// A free radius is compared with an R0 that has a σ. Readings see R/L, so σ(L) counts by R/L.
+TEST(SessionFindings, ANominalRadiusContradictsAFreeOne) {
+  for (const double sigmaDistance : {0.0, 0.5}) {
+    Measurement measurement = withRadii(400, 400);
+    measurement.radiusModel = RadiusModel::Common;
+    measurement.sigmaDistance = sigmaDistance;
+    const SessionFit fit = fitSession(measurement);
+    measurement.sigmaRadius = 0.1;
+    const double bound = quantile * std::hypot(0.1, fit.sigmas.at(0).radius);
+    for (const double side : {-1.0, 1.0}) {
+      measurement.nominalRadius = 400 + side * 0.95 * bound;
+      EXPECT_FALSE(says<session_finding::NominalRadiusContradicted>(measurement)) << sigmaDistance;
+      measurement.nominalRadius = 400 + side * 1.05 * bound;
+      EXPECT_TRUE(says<session_finding::NominalRadiusContradicted>(measurement)) << sigmaDistance;
+    }
+  }
+}
+
+TEST(SessionFindings, APositionIsACopy) {
+  Measurement measurement = withRadii(400, 400);
+  measurement.arcs.push_back(measurement.arcs[0]);
+  measurement.arcs[2].repeat = 2;
+  EXPECT_TRUE(says<session_finding::PositionCopied>(measurement));
+  measurement.arcs[2].sightings[5].a = measurement.arcs[2].sightings[5].a + Angle::fromArcseconds(0.1);
+  EXPECT_FALSE(says<session_finding::PositionCopied>(measurement));
+}
+
 }  // namespace
 }  // namespace alidade

@@ -48,7 +48,7 @@ TEST(Causes, BlameReadingsTogetherAndByTheirCircles) {
       truth.grossErrors = {misread(0, 6, 1, 0, 120), misread(0, 12, 2, 0, 110), misread(180, 3, 2, -130, 0),
                            misread(180, 14, 1, 0, -large)};
       const Inquiry inquiry = inquiryInto("full", truth);
-      ASSERT_EQ(inquiry.largeGrossErrors.size(), large > 1000 ? 1u : 0u);
+      ASSERT_EQ(inquiry.excluded.size(), large > 1000 ? 1u : 0u);
       const std::vector<Cause> causes = causesOf(inquiry, conclude(inquiry));
       ASSERT_EQ(causes.size(), 1u);
       EXPECT_EQ(causes[0].effect, grossErrorId);

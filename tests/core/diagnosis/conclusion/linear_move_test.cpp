@@ -20,7 +20,7 @@ TEST(LinearMoves, AgreeWithAFitOfTheWholeModel) {
   for (const test::Trial& trial : test::trials()) {
     const Measurement measurement = test::withTimes(trial.measurement);
     const Inquiry inquiry = inquire(*modelOf(measurement), {}, {});
-    if (!inquiry.largeGrossErrors.empty()) continue;
+    if (!inquiry.excluded.empty()) continue;
     LinearMoves moves(inquiry);
     for (const Explanation& explanation : inquiry.explanations) {
       if (explanation.shaped || explanation.chance < 0.01) continue;

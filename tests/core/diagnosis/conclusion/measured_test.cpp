@@ -33,6 +33,23 @@ Truth withEveryEffectThere(std::uint64_t seed, double sizes, bool slider) {
   return truth;
 }
 
+// A collimation that the readings of both faces show to 0.1″ leaves nothing for larger noise to explain: U of
+// Δd, measured, is that of a session without it, whatever its size. Noise 15 times as large as stated, which
+// the search weighs without the effects, tripled it.
+TEST(Measured, IsNotWidenedByNoiseThatACauseExplains) {
+  for (const std::uint64_t seed : {1U, 2U, 3U, 4U}) {
+    const auto expandedWith = [&](double collimation) {
+      Truth truth = drawTruth(seed);
+      truth.effects = {{ErrorTerm::Collimation, collimation}};
+      return diagnose(*examine(*simulate(*protocolByName("full"), truth, seed)).measurement)
+          ->measured->estimate.expanded;
+    };
+    const double without = expandedWith(0);
+    for (const double collimation : {15.0, 30.0, 45.0, 90.0})
+      EXPECT_LT(expandedWith(collimation), 1.3 * without) << seed << ' ' << collimation;
+  }
+}
+
 struct Coverage {
   int sessions = 0, ofFit = 0, ofMeasured = 0;
 };

@@ -24,7 +24,7 @@ TEST(Accounts, AgreeWithAFitOfEveryEffect) {
   int compared = 0;
   for (const test::Trial& trial : test::trials()) {
     const Inquiry inquiry = inquire(*modelOf(test::withTimes(trial.measurement)), {}, {});
-    if (!inquiry.largeGrossErrors.empty()) continue;
+    if (!inquiry.excluded.empty()) continue;
     WeighedExplanations weighed(inquiry);
     EXPECT_EQ(weighed.effects().size() + inquiry.base.options.terms.size(),
               everyEffect(trial.measurement).size());

@@ -103,7 +103,7 @@ TEST(ResultPanel, ShowsAProvisionalFigureGreyAndWithoutAVerdict) {
   const QColor good = stateColor(bench.panel.palette(), State::Good);
   const QColor quiet = stateColor(bench.panel.palette(), State::Quiet);
   EXPECT_EQ(colourOf(QStringLiteral("Accepted")), good);
-  EXPECT_NE(colourOf(QStringLiteral("Δd = 1.07")), quiet);
+  EXPECT_NE(colourOf(QStringLiteral("Δd = 1.24")), quiet);
   bench.panel.setHeadline(headlineOf(*gap.evaluation));
   EXPECT_EQ(colourOf(QStringLiteral("Δd, fit only = 1.31")), quiet);
   EXPECT_EQ(colourOf(QStringLiteral("Provisional: the diagnosis is running.")), quiet);
