@@ -154,7 +154,7 @@ void ResultPanel::fixWidth() {
   const int value =
       QFontMetrics(m_value->font()).horizontalAdvance(QStringLiteral("Δd = −2.167 ± 0.042 mm")) + 4;
   const int whole = std::max(value, figures) + margins.left() + margins.right() + bar + 2 * frameWidth();
-  setMinimumWidth(withinScreen(*this, whole, 372, 33));
+  setMinimumWidth(withinScreen(*this, whole, 370, 33));
 }
 
 void ResultPanel::showDetails(const Headline& headline) {
